@@ -1,0 +1,71 @@
+// The one mechanism for threads (oneTBB, hidden in parallel.cpp). Work is cut into blocks of fixed
+// size, whatever the number of threads, and sums are taken block by block in order: same bits on
+// any number of threads.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace pmr {
+
+inline constexpr std::size_t block_size = 1024;  // [items] of one block
+
+// Limits the process to n threads for as long as the value lives; n = 0 means all cores.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int n);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  static int current();  // threads that parallel loops may use now [1]
+
+ private:
+  void* control_;
+};
+
+// Calls body(first, last) over [0, count) in blocks; blocks may run concurrently, in any order.
+void parallel_blocks(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body,
+                     std::size_t block = block_size);
+
+// Calls body(i) for i in [0, count).
+template <class Body>
+void parallel_for(std::size_t count, const Body& body, std::size_t block = block_size) {
+  parallel_blocks(
+      count,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) body(i);
+      },
+      block);
+}
+
+// Sum over i of term(i), with the same bits on any number of threads.
+template <class Term>
+double parallel_sum(std::size_t count, const Term& term) {
+  std::vector<double> partial((count + block_size - 1) / block_size, 0.0);
+  parallel_blocks(count, [&](std::size_t first, std::size_t last) {
+    double sum = 0.0;
+    for (std::size_t i = first; i < last; ++i) sum += term(i);
+    partial[first / block_size] = sum;
+  });
+  double total = 0.0;
+  for (const double p : partial) total += p;
+  return total;
+}
+
+// Largest term(i), at least `floor`.
+template <class Term>
+double parallel_max(std::size_t count, double floor, const Term& term) {
+  std::vector<double> partial((count + block_size - 1) / block_size, floor);
+  parallel_blocks(count, [&](std::size_t first, std::size_t last) {
+    double largest = floor;
+    for (std::size_t i = first; i < last; ++i) {
+      const double value = term(i);
+      if (value > largest) largest = value;
+    }
+    partial[first / block_size] = largest;
+  });
+  for (const double p : partial) floor = p > floor ? p : floor;
+  return floor;
+}
+
+}  // namespace pmr

@@ -1,0 +1,122 @@
+// The one owner of what the next step depends on, which is exactly what a checkpoint holds.
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pmr/base/csr.hpp"
+#include "pmr/state/contacts.hpp"
+#include "pmr/state/particles.hpp"
+
+namespace pmr {
+
+enum class Phase : std::uint8_t { fill, mix, react, done };
+
+// One piece of wall with one temperature at its face: a node of the heat network.
+struct WallNodes {
+  std::vector<double> cell_energy;  // [J] rows of cells, patch by patch (coupling/wall_nodes.hpp)
+};
+
+// Gas in the closed chamber.
+struct Gas {
+  bool closed = false;
+  double oxygen = 0.0;    // [mol]
+  double nitrogen = 0.0;  // [mol]
+  double energy = 0.0;    // [J] internal
+};
+
+// Symmetric exchange of radiation between nodes. Nodes: particles by id, then wall patches, then
+// the surroundings.
+struct Exchange {
+  Csr factor;                      // [m2] G_ij = eps_i A_i D_ij, G_ij = G_ji, no diagonal
+  std::vector<double> emissivity;  // [1] of each node when traced
+  double traced_at = -std::numeric_limits<double>::infinity();  // [s]
+  double rays = 0.0;               // [1] of that tracing
+  double relative_error = 0.0;     // [1] mean standard error of a row's largest factors
+};
+
+// Integrals of fluxes since the start, each integrated on its own; the ledger holds them against
+// the change of what is stored.
+struct Fluxes {
+  double contact = 0.0;             // [J] from hot to cold species by solid contacts
+  double gap = 0.0;                 // [J] likewise through gas gaps
+  double radiation = 0.0;           // [J] likewise by radiation
+  double to_walls = 0.0;            // [J] particles to wall patches, all paths
+  double to_outside = 0.0;          // [J] walls to their outside and to fixed temperatures
+  double to_surroundings = 0.0;     // [J] radiation that left the rig
+  double reaction = 0.0;            // [J] taken up by the redox reaction, integral of dH(delta)
+  double oxygen_released = 0.0;     // [mol] from solids, net
+  double oxygen_to_air = 0.0;       // [mol] released while the chamber stood open
+  double oxygen_pumped = 0.0;       // [mol] O2
+  double nitrogen_pumped = 0.0;     // [mol] N2
+  double oxygen_leaked = 0.0;       // [mol] O2 that came in
+  double nitrogen_leaked = 0.0;     // [mol] N2 that came in
+  double gas_energy_out = 0.0;      // [J] enthalpy pumped, and of oxygen that left to open air
+  double gas_energy_in = 0.0;       // [J] enthalpy of leaked air and of the air closed in
+  double heat_exchanged = 0.0;      // [J] sum over particles of the absolute heat received
+  double dissipated = 0.0;          // [J] kinetic energy lost in contacts (mechanics, not heat)
+};
+
+template <class F, class Visitor>
+void for_each_flux(F& f, Visitor&& visit) {
+  visit("contact", "J", f.contact);
+  visit("gap", "J", f.gap);
+  visit("radiation", "J", f.radiation);
+  visit("to_walls", "J", f.to_walls);
+  visit("to_outside", "J", f.to_outside);
+  visit("to_surroundings", "J", f.to_surroundings);
+  visit("reaction", "J", f.reaction);
+  visit("oxygen_released", "mol", f.oxygen_released);
+  visit("oxygen_to_air", "mol", f.oxygen_to_air);
+  visit("oxygen_pumped", "mol", f.oxygen_pumped);
+  visit("nitrogen_pumped", "mol", f.nitrogen_pumped);
+  visit("oxygen_leaked", "mol", f.oxygen_leaked);
+  visit("nitrogen_leaked", "mol", f.nitrogen_leaked);
+  visit("gas_energy_out", "J", f.gas_energy_out);
+  visit("gas_energy_in", "J", f.gas_energy_in);
+  visit("heat_exchanged", "J", f.heat_exchanged);
+  visit("dissipated", "J", f.dissipated);
+}
+
+struct LostParticle {
+  ParticleId id;
+  double time;    // [s]
+  Vec3 position;  // [m] first place outside the domain
+};
+
+// What was there at the start, for the books.
+struct Opening {
+  double energy = 0.0;     // [J] stored in particles and walls
+  double oxygen = 0.0;     // [mol] O2 bound in solids
+  std::uint64_t particles = 0;
+};
+
+// Largest values so far, for the report's limits.
+struct Extremes {
+  double overlap_ratio = 0.0;  // [1] overlap over the smaller radius
+  double speed = 0.0;          // [m/s]
+};
+
+struct State {
+  double time = 0.0;  // [s] zero at the first valve's release
+  Phase phase = Phase::fill;
+  std::uint64_t step = 0;       // mechanical sub-steps so far
+  std::uint64_t interval = 0;   // intervals so far
+  double rest_since = std::numeric_limits<double>::infinity();  // [s] bed below the rest speed
+  double settled_at = std::numeric_limits<double>::infinity();  // [s] start of the react phase
+  double set_point_at = std::numeric_limits<double>::infinity();  // [s] pressure first at set-point
+  double network_step = 0.0;    // [s] CVODE's last step, tried first in the next interval
+  Particles particles;
+  ContactHistory pair_contacts;
+  ContactHistory wall_contacts;
+  WallNodes walls;
+  Gas gas;
+  Exchange exchange;
+  Fluxes fluxes;
+  Opening opening;
+  Extremes extremes;
+  std::vector<LostParticle> lost;
+};
+
+}  // namespace pmr
