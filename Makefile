@@ -1,0 +1,37 @@
+# Two commands do everything on a fresh Debian 12 machine:
+#   make run     installs packages if missing, builds, runs the small reactor, names its report
+#   make test    the same, then all tests but the slow ones
+CASE  ?= cases/demonstrator-small.toml
+OUT   ?= out/$(basename $(notdir $(CASE)))
+BUILD ?= build/release
+JOBS  ?= $(shell nproc)
+PMR    = $(BUILD)/src/cli/pmr
+
+.PHONY: run test test-slow build packages verify format clean
+.DEFAULT_GOAL := build
+
+packages:
+	@scripts/install-packages
+
+build: packages
+	@mkdir -p build
+	@cmake --preset release -B $(BUILD) >$(BUILD).configure.log 2>&1 || { cat $(BUILD).configure.log; exit 1; }
+	@cmake --build $(BUILD) -j $(JOBS)
+
+run: build
+	@$(PMR) run $(CASE) -o $(OUT)
+
+test: build
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE slow
+
+test-slow: build
+	@ctest --test-dir $(BUILD) --output-on-failure -L slow
+
+verify: build
+	@$(PMR) verify
+
+format:
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	@rm -rf build
