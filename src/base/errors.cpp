@@ -19,10 +19,10 @@ std::string joined(const std::vector<Fault>& faults) {
 CaseError::CaseError(std::vector<Fault> faults)
     : std::runtime_error(joined(faults)), faults_(std::move(faults)) {}
 
-void ensure(bool holds, const char* promise, std::source_location place) {
+void ensure(bool holds, const char* promise, const char* file, int line) {
   if (holds) return;
-  throw std::logic_error(std::string(place.file_name()) + ":" + std::to_string(place.line()) +
-                         ": broken promise: " + promise);
+  throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": broken promise: " +
+                         promise);
 }
 
 }  // namespace pmr

@@ -1,5 +1,5 @@
-// run.h5 and checkpoint.h5 of a run folder. Every write is a new file, renamed into place: a kill at
-// any moment leaves the last complete one. HDF5 itself stays in hdf5.cpp.
+// run.h5 and checkpoint.h5 of a run folder. Every write is a new file, renamed into place: a kill
+// at any moment leaves the last complete one. HDF5 itself stays in hdf5.cpp.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -24,4 +24,7 @@ std::vector<Check> radiation_checks();
 std::vector<Check> chemistry_checks();
 std::vector<Check> coupling_checks();
 
+// All of them, in this order.
+std::vector<Check> all_checks();
+
 }  // namespace pmr::verify

@@ -2,7 +2,6 @@
 // ours (ensure -> std::logic_error).
 #pragma once
 #include <cstddef>
-#include <source_location>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,7 +35,8 @@ class NumericsError : public std::runtime_error {
 };
 
 // Throws std::logic_error when a promise of ours is broken; on in every build, at stage borders.
-void ensure(bool holds, const char* promise,
-            std::source_location place = std::source_location::current());
+// (Built-ins of both compilers: clang 14 has no std::source_location with libstdc++ 12.)
+void ensure(bool holds, const char* promise, const char* file = __builtin_FILE(),
+            int line = __builtin_LINE());
 
 }  // namespace pmr

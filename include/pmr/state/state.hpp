@@ -50,10 +50,14 @@ struct Fluxes {
   double oxygen_to_air = 0.0;       // [mol] released while the chamber stood open
   double oxygen_pumped = 0.0;       // [mol] O2
   double nitrogen_pumped = 0.0;     // [mol] N2
+  double oxygen_closed_in = 0.0;    // [mol] O2 of the air shut in
+  double nitrogen_closed_in = 0.0;  // [mol] N2 of the air shut in
   double oxygen_leaked = 0.0;       // [mol] O2 that came in
   double nitrogen_leaked = 0.0;     // [mol] N2 that came in
   double gas_energy_out = 0.0;      // [J] enthalpy pumped, and of oxygen that left to open air
   double gas_energy_in = 0.0;       // [J] enthalpy of leaked air and of the air closed in
+  double lost_energy = 0.0;         // [J] held by particles that left the domain
+  double lost_oxygen = 0.0;         // [mol] O2 bound in them
   double heat_exchanged = 0.0;      // [J] sum over particles of the absolute heat received
   double dissipated = 0.0;          // [J] kinetic energy lost in contacts (mechanics, not heat)
 };
@@ -71,10 +75,14 @@ void for_each_flux(F& f, Visitor&& visit) {
   visit("oxygen_to_air", "mol", f.oxygen_to_air);
   visit("oxygen_pumped", "mol", f.oxygen_pumped);
   visit("nitrogen_pumped", "mol", f.nitrogen_pumped);
+  visit("oxygen_closed_in", "mol", f.oxygen_closed_in);
+  visit("nitrogen_closed_in", "mol", f.nitrogen_closed_in);
   visit("oxygen_leaked", "mol", f.oxygen_leaked);
   visit("nitrogen_leaked", "mol", f.nitrogen_leaked);
   visit("gas_energy_out", "J", f.gas_energy_out);
   visit("gas_energy_in", "J", f.gas_energy_in);
+  visit("lost_energy", "J", f.lost_energy);
+  visit("lost_oxygen", "mol", f.lost_oxygen);
   visit("heat_exchanged", "J", f.heat_exchanged);
   visit("dissipated", "J", f.dissipated);
 }

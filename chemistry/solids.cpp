@@ -1,0 +1,104 @@
+#include "chemistry/solids.hpp"
+
+#include "chemistry/gas.hpp"
+#include "chemistry/redox.hpp"
+#include "chemistry/temperature_inverse.hpp"
+#include "pmr/base/errors.hpp"
+
+namespace pmr::chemistry {
+namespace {
+
+HeatCurve curve_of(const Shomate& law) {
+  return {law.a,
+          law.b,
+          law.c,
+          law.d,
+          law.e,
+          1e3 * (law.f - law.h),
+          law.minimum_temperature,
+          law.maximum_temperature};
+}
+
+// ABO2.5, per mol of B.
+HeatCurve curve_of(const FerriteHeat& law) {
+  const HeatCurve curve{
+      law.a, law.b, law.c, 0.0, law.d, 0.0, ferrite_heat_minimum, ferrite_heat_maximum};
+  return anchored(curve, enthalpy_zero, 0.0);
+}
+
+// Per kg.
+HeatPoint inert_heat(const Material& material, double T) {
+  if (const auto* law = std::get_if<ConstantHeat>(&material.heat))
+    return {law->heat_capacity * (T - enthalpy_zero), law->heat_capacity};
+  const auto* law = std::get_if<Shomate>(&material.heat);
+  ensure(law != nullptr, "an inert material's heat law is ConstantHeat or Shomate");
+  const HeatPoint molar = evaluate(curve_of(*law), T);
+  return {molar.enthalpy / law->molar_mass, molar.heat_capacity / law->molar_mass};
+}
+
+// Per mol Fe, without H(delta), which does not depend on T.
+HeatPoint sensible_heat(const Material& material, double T, double delta) {
+  const auto* law = std::get_if<FerriteHeat>(&material.heat);
+  ensure(law != nullptr, "a redox material's heat law is FerriteHeat");
+  const HeatPoint base = evaluate(curve_of(*law), T);
+  const HeatPoint gas = oxygen_heat(T);
+  const double oxygen = 0.5 * (0.5 - delta);  // [mol O2/mol Fe] above ABO2.5
+  return {base.enthalpy + oxygen * gas.enthalpy, base.heat_capacity + oxygen * gas.heat_capacity};
+}
+
+}  // namespace
+
+bool heat_law_fits(const Material& material) {
+  return material.redox.has_value() == std::holds_alternative<FerriteHeat>(material.heat);
+}
+
+double specific_heat(const Material& material, double T) {
+  return inert_heat(material, T).heat_capacity;
+}
+
+double specific_enthalpy(const Material& material, double T) {
+  return inert_heat(material, T).enthalpy;
+}
+
+double molar_heat_capacity(const Material& material, double T, double delta) {
+  return sensible_heat(material, T, delta).heat_capacity;
+}
+
+double molar_enthalpy(const Material& material, double T, double delta) {
+  return sensible_heat(material, T, delta).enthalpy +
+         reduction_heat(material.redox->equilibrium, delta);
+}
+
+double enthalpy(const Solid& solid, double T, double delta) {
+  const Material& material = *solid.material;
+  return solid.amount *
+         (material.redox ? molar_enthalpy(material, T, delta) : specific_enthalpy(material, T));
+}
+
+double heat_capacity(const Solid& solid, double T, double delta) {
+  const Material& material = *solid.material;
+  return solid.amount *
+         (material.redox ? molar_heat_capacity(material, T, delta) : specific_heat(material, T));
+}
+
+double enthalpy_delta_slope(const Solid& solid, double T, double delta) {
+  const Material& material = *solid.material;
+  if (!material.redox) return 0.0;
+  const double heat = reduction_enthalpy(material.redox->equilibrium, delta);
+  return solid.amount * (heat - 0.5 * oxygen_heat(T).enthalpy);
+}
+
+double temperature(const Solid& solid, double energy, double delta, double guess) {
+  const Material& material = *solid.material;
+  const double per_amount = energy / solid.amount;
+  if (!material.redox)
+    return solve_temperature(
+        per_amount, guess, [&](double T) { return inert_heat(material, T); },
+        material.name.c_str());
+  const double bound = reduction_heat(material.redox->equilibrium, delta);
+  return solve_temperature(
+      per_amount - bound, guess, [&](double T) { return sensible_heat(material, T, delta); },
+      material.name.c_str());
+}
+
+}  // namespace pmr::chemistry

@@ -1,0 +1,242 @@
+#include "physics/insertion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/neighbours.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/random.hpp"
+
+namespace pmr::physics {
+namespace {
+
+// Distance of neighbours in a layer [1] of the diameter. The rest to 1 is for the jitter: looser
+// takes height, tighter keeps the order of the lattice.
+constexpr double lattice_spacing = 1.05;
+// Distance of layers [1] of the sum of their radii: spheres of two layers never overlap.
+constexpr double layer_spacing = 1.001;
+// Layers without a single particle after which a region counts as too narrow.
+constexpr int most_empty_layers = 16;
+constexpr double largest_overlap = 0.1;  // [1] of the smaller radius
+constexpr std::size_t most_faults = 10;  // of one kind
+
+struct Placed {
+  SpeciesIndex species;
+  Vec3 position;  // [m]
+};
+
+// What is filled, seen from above.
+struct Ground {
+  Vec3 centre;                 // [m] of its lowest level
+  double reach;                // [m] radius of a circle about the centre that holds it
+  double height;               // [m]
+  double inner = 0.0;          // [m] cylinder: radius kept free
+  Eigen::Vector2d half{0, 0};  // [m] box: half sides, else 0
+
+  bool holds(const Vec3& x, double radius) const {
+    const Eigen::Vector2d d = (x - centre).head<2>();
+    if (half[0] > 0.0)
+      return std::abs(d[0]) + radius <= half[0] && std::abs(d[1]) + radius <= half[1];
+    return d.norm() + radius <= reach && (inner == 0.0 || d.norm() - radius >= inner);
+  }
+};
+
+Ground ground(const CylinderRegion& r) { return {r.base, r.radius, r.height, r.inner_radius}; }
+
+Ground ground(const BoxRegion& r) {
+  Ground g;
+  g.centre = 0.5 * (r.low + r.high);
+  g.centre[2] = r.low[2];
+  g.half = 0.5 * (r.high - r.low).head<2>();
+  g.reach = g.half.norm();
+  g.height = r.high[2] - r.low[2];
+  return g;
+}
+
+bool is_same(const Region& a, const Region& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* p = std::get_if<CylinderRegion>(&a)) {
+    const auto& q = std::get<CylinderRegion>(b);
+    return p->base == q.base && p->radius == q.radius && p->inner_radius == q.inner_radius &&
+           p->height == q.height;
+  }
+  const auto &p = std::get<BoxRegion>(a), &q = std::get<BoxRegion>(b);
+  return p.low == q.low && p.high == q.high;
+}
+
+// Species that share a region.
+struct Group {
+  Ground ground;
+  std::vector<SpeciesIndex> members;
+};
+
+std::vector<Group> groups(const Case& c) {
+  std::vector<Group> all;
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    if (!c.species[s].region) continue;
+    const auto shares = [&](const Group& g) {
+      return is_same(*c.species[g.members.front()].region, *c.species[s].region);
+    };
+    auto found = std::find_if(all.begin(), all.end(), shares);
+    if (found == all.end()) {
+      const Ground g = std::visit([](const auto& r) { return ground(r); }, *c.species[s].region);
+      found = all.insert(all.end(), Group{g, {}});
+    }
+    found->members.push_back(static_cast<SpeciesIndex>(s));
+  }
+  return all;
+}
+
+// Places of one layer of spheres at height z [m] above the ground, at most `wanted`.
+std::vector<Vec3> layer(const Ground& g, double diameter, double z, std::size_t wanted,
+                        Random random) {
+  const double a = lattice_spacing * diameter, row = a * std::sqrt(0.75);
+  const double jitter = 0.5 * (lattice_spacing - 1.0) * diameter;
+  const Eigen::Rotation2Dd turn(2.0 * pi * random.uniform());
+  const double u = random.uniform(), v = random.uniform();
+  const int count = static_cast<int>(g.reach / row) + 2;
+  std::vector<Vec3> places;
+  for (int k = -count; k <= count && places.size() < wanted; ++k)
+    for (int l = -count - 1; l <= count + 1 && places.size() < wanted; ++l) {
+      const double angle = 2.0 * pi * random.uniform();
+      const double shift = jitter * std::sqrt(random.uniform());
+      const Eigen::Vector2d node((l + u + 0.5 * (k & 1)) * a, (k + v) * row);
+      const Eigen::Vector2d d =
+          turn * node + shift * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      const Vec3 x = g.centre + Vec3(d[0], d[1], z);
+      if (g.holds(x, 0.5 * diameter)) places.push_back(x);
+    }
+  return places;
+}
+
+struct Filling {
+  std::vector<Placed> placed;
+  double height = 0.0;      // [m] that they take
+  std::size_t fitting = 0;  // [1] of them below the region's top
+  bool is_too_narrow = false;
+};
+
+// Stacks layers until all are placed; each layer goes to the species that lags behind most.
+Filling fill(const Case& c, const Group& group, std::uint64_t key) {
+  Filling f;
+  std::vector<std::size_t> left;
+  for (const SpeciesIndex s : group.members) left.push_back(c.species[s].count);
+  const auto share_left = [&](std::size_t m) {
+    const std::size_t count = c.species[group.members[m]].count;
+    return count > 0 ? static_cast<double>(left[m]) / static_cast<double>(count) : 0.0;
+  };
+  int empty = 0;
+  for (std::uint64_t number = 0; empty < most_empty_layers; ++number) {
+    std::size_t next = 0;
+    for (std::size_t m = 1; m < left.size(); ++m)
+      if (share_left(m) > share_left(next)) next = m;
+    if (left[next] == 0) return f;
+    const SpeciesIndex s = group.members[next];
+    const double diameter = c.species[s].diameter;
+    const double z = f.height + 0.5 * diameter;
+    const auto places = layer(group.ground, diameter, z, left[next],
+                              Random(c.seed, Purpose::insertion, key, number));
+    empty = places.empty() ? empty + 1 : 0;
+    if (places.empty()) continue;
+    f.height += layer_spacing * diameter;
+    left[next] -= places.size();
+    for (const Vec3& x : places) f.placed.push_back({s, x});
+    if (f.height <= group.ground.height) f.fitting = f.placed.size();
+  }
+  f.is_too_narrow = true;
+  return f;
+}
+
+void place(Particles& p, const Case& c, const Placed& placed, double radius) {
+  const Species& species = c.species[placed.species];
+  const std::size_t i = p.size();
+  resize(p, i + 1);
+  p.id[i] = static_cast<ParticleId>(i);
+  p.species[i] = placed.species;
+  p.radius[i] = radius;
+  p.mass[i] =
+      c.materials.list[species.material].density * 4.0 / 3.0 * pi * radius * radius * radius;
+  p.position[i] = placed.position;
+  p.temperature[i] = species.initial_temperature;
+}
+
+Particles place_all(const Case& c, std::vector<Fault>& faults) {
+  Particles p;
+  std::uint64_t key = 0;
+  for (const Group& group : groups(c)) {
+    const Filling f = fill(c, group, key++);
+    std::size_t wanted = 0;
+    for (const SpeciesIndex s : group.members) wanted += c.species[s].count;
+    const std::string name = "species." + c.species[group.members.front()].name + ".region";
+    if (f.is_too_narrow)
+      faults.push_back({"case", name, "is too narrow for a single particle"});
+    else if (f.fitting < f.placed.size())
+      faults.push_back({"case", name,
+                        "holds " + std::to_string(f.fitting) + " of " + std::to_string(wanted) +
+                            " particles; all of them need a height of " +
+                            std::to_string(1e3 * f.height) + " mm instead of " +
+                            std::to_string(1e3 * group.ground.height) + " mm"});
+    for (const Placed& placed : f.placed)
+      place(p, c, placed, 0.5 * c.species[placed.species].diameter);
+  }
+  for (const ExplicitParticle& e : c.particles) {
+    place(p, c, {e.species, e.position}, e.radius.value_or(0.5 * c.species[e.species].diameter));
+    p.velocity.back() = e.velocity;
+    p.spin.back() = e.spin;
+    if (e.temperature) p.temperature.back() = *e.temperature;
+  }
+  return p;
+}
+
+std::string name_of(const Case& c, const Particles& p, std::size_t i) {
+  const std::size_t first_explicit = p.size() - c.particles.size();
+  if (i >= first_explicit) return "particles[" + std::to_string(i - first_explicit) + "]";
+  return "species." + c.species[p.species[i]].name;
+}
+
+void find_places_outside(const Case& c, const Particles& p, std::vector<Fault>& faults) {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < p.size() && found < most_faults; ++i) {
+    const auto x = p.position[i].array();
+    if ((x >= c.domain_low.array()).all() && (x <= c.domain_high.array()).all()) continue;
+    faults.push_back({"case", name_of(c, p, i), "a particle starts outside the domain"});
+    ++found;
+  }
+}
+
+void find_overlaps(const Case& c, const Particles& p, std::vector<Fault>& faults) {
+  std::size_t found = 0;
+  for (const NeighbourPair& pair : pairs_within(p, 0.0)) {
+    const double overlap = -pair.gap / std::min(p.radius[pair.i], p.radius[pair.j]);
+    if (overlap <= largest_overlap) continue;
+    faults.push_back({"case", name_of(c, p, pair.j),
+                      "a particle starts with an overlap of " + std::to_string(100.0 * overlap) +
+                          " % of the radius with one of " + name_of(c, p, pair.i) +
+                          "; at most 10 %"});
+    if (++found == most_faults) return;
+  }
+}
+
+Particles place_and_check(const Case& c, std::vector<Fault>& faults) {
+  Particles p = place_all(c, faults);
+  find_places_outside(c, p, faults);
+  if (p.size() > 1) find_overlaps(c, p, faults);
+  return p;
+}
+
+}  // namespace
+
+Particles insert(const Case& c) {
+  std::vector<Fault> faults;
+  Particles p = place_and_check(c, faults);
+  if (!faults.empty()) throw CaseError(std::move(faults));
+  return p;
+}
+
+std::vector<Fault> insertion_faults(const Case& c) {
+  std::vector<Fault> faults;
+  place_and_check(c, faults);
+  return faults;
+}
+
+}  // namespace pmr::physics

@@ -1,0 +1,62 @@
+#include "radiation/emission.hpp"
+
+#include <algorithm>
+
+#include "pmr/base/constants.hpp"
+#include "radiation/geometry.hpp"
+
+namespace pmr::radiation {
+namespace {
+
+double area(const Scene& scene, std::uint32_t primitive) {
+  if (!scene.is_sphere(primitive)) return area_of(scene.triangle(primitive));
+  const double r = scene.spheres()[primitive].radius;
+  return 4.0 * pi * r * r;
+}
+
+std::uint32_t node_of(const Scene& scene, std::uint32_t primitive) {
+  return scene.is_sphere(primitive) ? scene.spheres()[primitive].node
+                                    : scene.triangle(primitive).node;
+}
+
+}  // namespace
+
+Emitters::Emitters(const Scene& scene, std::uint32_t nodes) : start_(nodes + 1, 0) {
+  const auto count = static_cast<std::uint32_t>(scene.primitives());
+  for (std::uint32_t p = 0; p < count; ++p) ++start_[node_of(scene, p) + 1];
+  for (std::uint32_t node = 0; node < nodes; ++node) start_[node + 1] += start_[node];
+  std::vector<std::uint64_t> next(start_.begin(), start_.end() - 1);
+  primitive_.resize(count);
+  for (std::uint32_t p = 0; p < count; ++p) primitive_[next[node_of(scene, p)]++] = p;
+  area_until_.resize(count);
+  for (std::uint32_t node = 0; node < nodes; ++node) {
+    double sum = 0.0;  // [m2]
+    for (std::uint64_t k = start_[node]; k < start_[node + 1]; ++k)
+      area_until_[k] = sum += area(scene, primitive_[k]);
+  }
+}
+
+std::uint32_t Emitters::pick(std::uint32_t node, double fraction) const {
+  const std::uint64_t first = start_[node], last = start_[node + 1] - 1;
+  if (first == last) return primitive_[first];
+  const auto begin = area_until_.begin();
+  const auto at =
+      std::upper_bound(begin + static_cast<std::ptrdiff_t>(first),
+                       begin + static_cast<std::ptrdiff_t>(last), fraction * area_until_[last]);
+  return primitive_[static_cast<std::size_t>(at - begin)];
+}
+
+Departure emit(const Scene& scene, std::uint32_t primitive, const std::array<double, 4>& u) {
+  if (scene.is_sphere(primitive)) {
+    const Sphere& sphere = scene.spheres()[primitive];
+    const Vec3 normal = on_sphere(u[0], u[1]);
+    return {primitive, sphere.centre + sphere.radius * normal, normal, diffuse(normal, u[2], u[3])};
+  }
+  const Triangle& wall = scene.triangle(primitive);
+  const Vec3 w = in_triangle(u[0], u[1]);
+  const Vec3 normal = normal_of(wall);
+  const Vec3 point = w[0] * wall.corner[0] + w[1] * wall.corner[1] + w[2] * wall.corner[2];
+  return {primitive, point, normal, diffuse(normal, u[2], u[3])};
+}
+
+}  // namespace pmr::radiation

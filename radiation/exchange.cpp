@@ -1,0 +1,186 @@
+#include "radiation/exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "pmr/base/errors.hpp"
+#include "pmr/base/parallel.hpp"
+#include "radiation/emission.hpp"
+#include "radiation/symmetry.hpp"
+
+namespace pmr::radiation {
+namespace {
+
+constexpr int longest_flight = 10000;          // [1] reflections before a ray is given back
+constexpr std::uint64_t rays_per_unit = 4096;  // [1] of one emitter, done in one go
+constexpr std::size_t units_per_block = 16;    // [1] of one parallel task
+
+// A run of rays of one emitter.
+struct Unit {
+  std::uint32_t node;
+  std::uint64_t first, last;  // rays
+};
+
+struct UnitResult {
+  CountRow hits;
+  std::uint64_t unfinished = 0;
+};
+
+// Everything a flight needs, fixed for the tracing.
+struct Setup {
+  const ExchangeInput& input;
+  const Tracer& tracer;
+  const Emitters& emitters;
+  const std::vector<std::uint64_t>& rays;  // [1] per node
+};
+
+double emission(const ExchangeInput& input, std::uint32_t node) {
+  return input.emissivity[node] * input.area[node];  // [m2]
+}
+
+// Rays of each node: in proportion to its emission, at least one.
+std::vector<std::uint64_t> deal_rays(const ExchangeInput& input, const Emitters& emitters) {
+  double least_sphere = std::numeric_limits<double>::infinity();  // [m2]
+  double least_node = least_sphere;                               // [m2]
+  const auto emits = [&](std::uint32_t node) {
+    return emission(input, node) > 0.0 && emitters.has_surface(node);
+  };
+  for (const Sphere& s : input.spheres)
+    if (emits(s.node)) least_sphere = std::min(least_sphere, emission(input, s.node));
+  for (std::uint32_t node = 0; node + 1 < input.nodes; ++node)
+    if (emits(node)) least_node = std::min(least_node, emission(input, node));
+  const double least = std::isfinite(least_sphere) ? least_sphere : least_node;
+  std::vector<std::uint64_t> rays(input.nodes, 0);
+  for (std::uint32_t node = 0; node + 1 < input.nodes; ++node)
+    if (emits(node))
+      rays[node] = static_cast<std::uint64_t>(
+          std::max(1.0, std::round(input.rays * emission(input, node) / least)));
+  return rays;
+}
+
+std::vector<Unit> cut_into_units(const std::vector<std::uint64_t>& rays) {
+  std::vector<Unit> units;
+  for (std::uint32_t node = 0; node < rays.size(); ++node)
+    for (std::uint64_t first = 0; first < rays[node]; first += rays_per_unit)
+      units.push_back({node, first, std::min(rays[node], first + rays_per_unit)});
+  return units;
+}
+
+// The node that absorbs one ray; `none` if none has after `longest_flight` reflections.
+std::uint32_t fly(const Setup& setup, Departure departure, std::uint32_t node, std::uint64_t ray) {
+  const ExchangeInput& input = setup.input;
+  Random random(input.seed, Purpose::rays, (static_cast<std::uint64_t>(node) << 32) | ray,
+                input.step);
+  for (int flight = 0; flight < longest_flight; ++flight) {
+    const Hit hit = setup.tracer.follow(departure);
+    if (hit.is_empty()) return input.nodes - 1;
+    const double emissivity = input.emissivity[hit.node];
+    if (emissivity >= 1.0 || random.uniform() < emissivity) return hit.node;
+    const double u = random.uniform();
+    const double v = random.uniform();
+    departure = {hit.primitive, hit.point, hit.normal, diffuse(hit.normal, u, v)};
+  }
+  return none;
+}
+
+UnitResult trace_unit(const Setup& setup, const Unit& unit) {
+  const QuasiPoints quasi(setup.input.seed, unit.node, setup.input.step);
+  const auto rays = static_cast<double>(setup.rays[unit.node]);
+  UnitResult result;
+  std::vector<std::uint32_t> absorbers;
+  absorbers.reserve(unit.last - unit.first);
+  for (std::uint64_t ray = unit.first; ray < unit.last; ++ray) {
+    const double fraction = (static_cast<double>(ray) + quasi.offset()) / rays;
+    const std::uint32_t primitive = setup.emitters.pick(unit.node, fraction);
+    const Departure departure = emit(setup.tracer.scene(), primitive, quasi.point(ray));
+    const std::uint32_t absorber = fly(setup, departure, unit.node, ray);
+    result.unfinished += absorber == none ? 1 : 0;
+    absorbers.push_back(absorber == none ? unit.node : absorber);
+  }
+  result.hits = count_equal(std::move(absorbers));
+  return result;
+}
+
+void check(const ExchangeInput& input) {
+  ensure(input.nodes >= 1, "there is a node for the surroundings");
+  ensure(input.emissivity.size() == input.nodes && input.area.size() == input.nodes,
+         "emissivity and area are given for each node");
+  for (std::uint32_t node = 0; node + 1 < input.nodes; ++node) {
+    ensure(input.emissivity[node] >= 0.0 && input.emissivity[node] <= 1.0,
+           "emissivities are within [0, 1]");
+    ensure(input.area[node] >= 0.0, "areas are not negative");
+  }
+  for (const Sphere& s : input.spheres)
+    ensure(s.node + 1 < input.nodes && input.area[s.node] > 0.0,
+           "a sphere's node has an area and is below the surroundings'");
+  for (const Triangle& t : input.triangles)
+    ensure(t.node + 1 < input.nodes && input.area[t.node] > 0.0,
+           "a triangle's node has an area and is below the surroundings'");
+}
+
+}  // namespace
+
+TracedExchange trace(const ExchangeInput& input) {
+  check(input);
+  const Tracer tracer(input.spheres, input.triangles);
+  const Emitters emitters(tracer.scene(), input.nodes);
+  const std::vector<std::uint64_t> rays = deal_rays(input, emitters);
+  const Setup setup{input, tracer, emitters, rays};
+  const std::vector<Unit> units = cut_into_units(rays);
+  std::vector<UnitResult> results(units.size());
+  parallel_for(
+      units.size(), [&](std::size_t k) { results[k] = trace_unit(setup, units[k]); },
+      units_per_block);
+
+  TracedExchange traced;
+  std::vector<CountRow> counts(input.nodes);
+  std::vector<double> emissions(input.nodes, 0.0);  // [m2] of the nodes that emit
+  for (std::size_t k = 0; k < units.size(); ++k) {
+    add_counts(counts[units[k].node], std::move(results[k].hits));
+    traced.report.unfinished += results[k].unfinished;
+    traced.exchange.rays += static_cast<double>(units[k].last - units[k].first);
+    emissions[units[k].node] = emission(input, units[k].node);
+  }
+  Symmetric symmetric = symmetrise({std::move(counts), rays, emissions});
+  traced.exchange.factor = std::move(symmetric.factor);
+  traced.exchange.emissivity = input.emissivity;
+  traced.exchange.relative_error = symmetric.relative_error;
+  traced.report.self = std::move(symmetric.self);
+  traced.report.row_sum_error = symmetric.row_sum_error;
+  return traced;
+}
+
+std::vector<std::uint64_t> view_counts(const Tracer& tracer, std::uint32_t primitive,
+                                       std::uint64_t rays, std::uint64_t seed,
+                                       std::uint32_t nodes) {
+  const QuasiPoints quasi(seed, primitive, 0);
+  const std::uint64_t blocks = (rays + rays_per_unit - 1) / rays_per_unit;
+  std::vector<CountRow> rows(blocks);
+  parallel_for(
+      blocks,
+      [&](std::uint64_t b) {
+        std::vector<std::uint32_t> landed;
+        for (std::uint64_t r = b * rays_per_unit; r < std::min(rays, (b + 1) * rays_per_unit);
+             ++r) {
+          const Hit hit = tracer.follow(emit(tracer.scene(), primitive, quasi.point(r)));
+          landed.push_back(hit.is_empty() ? nodes - 1 : hit.node);
+        }
+        rows[b] = count_equal(std::move(landed));
+      },
+      1);
+  std::vector<std::uint64_t> counts(nodes, 0);
+  for (const CountRow& row : rows)
+    for (const Count& c : row) counts[c.node] += c.rays;
+  return counts;
+}
+
+std::vector<double> row_sums(const Csr& matrix) {
+  std::vector<double> sums(matrix.rows(), 0.0);
+  for (std::size_t row = 0; row < matrix.rows(); ++row)
+    for (const double value : matrix.values(row)) sums[row] += value;
+  return sums;
+}
+
+}  // namespace pmr::radiation

@@ -1,0 +1,56 @@
+#include "radiation/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pmr/base/constants.hpp"
+
+namespace pmr::radiation {
+namespace {
+
+constexpr double golden = 1.1673039782614187;  // [1] real root of x^5 = x + 1
+constexpr std::array<double, 4> stride{1.0 / golden, 1.0 / (golden * golden),
+                                       1.0 / (golden * golden * golden),
+                                       1.0 / (golden * golden * golden * golden)};
+
+}  // namespace
+
+QuasiPoints::QuasiPoints(std::uint64_t seed, std::uint64_t node, std::uint64_t step) {
+  Random random(seed, Purpose::quasi_shift, node, step);
+  for (double& s : shift_) s = random.uniform();
+}
+
+std::array<double, 4> QuasiPoints::point(std::uint64_t index) const {
+  std::array<double, 4> p;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double x = shift_[k] + static_cast<double>(index) * stride[k];
+    p[k] = x - std::floor(x);
+  }
+  return p;
+}
+
+Vec3 on_sphere(double u, double v) {
+  const double z = 1.0 - 2.0 * u;
+  const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+  return {r * std::cos(2.0 * pi * v), r * std::sin(2.0 * pi * v), z};
+}
+
+Vec3 diffuse(const Vec3& normal, double u, double v) {
+  // Frame: Duff et al., "Building an orthonormal basis, revisited", JCGT 6 (2017).
+  const double sign = std::copysign(1.0, normal.z());
+  const double a = -1.0 / (sign + normal.z());
+  const double b = normal.x() * normal.y() * a;
+  const Vec3 s(1.0 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x());
+  const Vec3 t(b, sign + normal.y() * normal.y() * a, -normal.y());
+  const double r = std::sqrt(u);
+  const Vec3 d = r * std::cos(2.0 * pi * v) * s + r * std::sin(2.0 * pi * v) * t +
+                 std::sqrt(std::max(1e-12, 1.0 - u)) * normal;
+  return d.normalized();
+}
+
+Vec3 in_triangle(double u, double v) {
+  const double root = std::sqrt(u);
+  return {1.0 - root, root * (1.0 - v), root * v};
+}
+
+}  // namespace pmr::radiation

@@ -1,0 +1,35 @@
+// From counts of rays to a symmetric matrix with the right row sums.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pmr/base/csr.hpp"
+
+namespace pmr::radiation {
+
+struct Count {
+  std::uint32_t node;  // that absorbed
+  std::uint32_t rays;  // [1]
+};
+using CountRow = std::vector<Count>;  // ascending nodes
+
+// Sorts and counts; adds one row to another.
+CountRow count_equal(std::vector<std::uint32_t> nodes);
+void add_counts(CountRow& sum, CountRow&& row);
+
+struct Counted {
+  std::vector<CountRow> rows;       // [nodes] n_ij: rays of i absorbed by j; last: surroundings
+  std::vector<std::uint64_t> rays;  // [nodes] emitted by i; 0: does not emit
+  std::vector<double> emission;     // [nodes] eps_i A_i [m2]
+};
+
+struct Symmetric {
+  Csr factor;                   // [m2] G_ij = G_ji, no diagonal
+  std::vector<double> self;     // [m2] G_ii
+  double row_sum_error = 0.0;   // [1] largest |t_i/(eps_i A_i) - 1|
+  double relative_error = 0.0;  // [1] mean over rows of 1/sqrt(n) of the largest factor's n
+};
+
+Symmetric symmetrise(const Counted& counted);
+
+}  // namespace pmr::radiation

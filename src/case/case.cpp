@@ -1,0 +1,142 @@
+#include "case/case.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "case/parts.hpp"
+#include "case/walls.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  const auto refuse = [&](const std::string& problem) {
+    throw CaseError({{file.string(), "", problem}});
+  };
+  if (fs::is_directory(file)) refuse("is a folder; wanted a case file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) refuse(std::string("cannot be read: ") + std::strerror(errno));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool make_absolute(Node* node, const fs::path& base_dir) {
+  if (node == nullptr || node->kind != Node::Kind::string || node->text.empty()) return false;
+  const fs::path path(node->text);
+  if (path.is_absolute()) return false;
+  node->text = fs::absolute(base_dir / path).lexically_normal().string();
+  return true;
+}
+
+Node* child(Node& node, const std::string& key) {
+  const auto found = node.members.find(key);
+  return found == node.members.end() ? nullptr : &found->second;
+}
+
+// File names become absolute, so that the text alone is the case. True if any changed.
+bool make_files_absolute(Node& root, const fs::path& base_dir) {
+  bool changed = false;
+  if (Node* particles = child(root, "particles"); particles != nullptr)
+    changed |= make_absolute(child(*particles, "csv"), base_dir);
+  if (Node* walls = child(root, "walls"); walls != nullptr)
+    for (auto& [name, wall] : walls->members)
+      changed |= make_absolute(child(wall, "file"), base_dir);
+  return changed;
+}
+
+Vec3 read_gravity(Table& root) {
+  const std::string wanted = "a vector such as \"0 0 -9.80665 m/s2\", or \"none\"";
+  const Node* node = root.need("gravity", wanted);
+  if (node == nullptr || (node->kind == Node::Kind::string && node->text == "none"))
+    return Vec3::Zero();
+  return root.vector("gravity", Dimension::acceleration);
+}
+
+void read_domain(Table& root, const std::optional<Rig>& rig, bool rig_is_faulty, Case& made) {
+  if (rig) std::tie(made.domain_low, made.domain_high) = rig_domain(rig->size);
+  const bool is_given = root.has("domain");
+  const Node* node = rig || rig_is_faulty ? root.look_table("domain") : root.need_table("domain");
+  if (!is_given || node == nullptr) return;
+  Table table(root.reading(), *node, "domain");
+  made.domain_low = table.vector("low", Dimension::length);
+  made.domain_high = table.vector("high", Dimension::length);
+  if ((made.domain_high - made.domain_low).minCoeff() <= 0.0)
+    table.fault("high", "wanted each component above low");
+}
+
+void check_whole(Table& root, const Case& made) {
+  if (!made.fill && !made.mix && !made.react)
+    root.need("fill", "a phase: [fill], [mix] or [react]");
+  const auto& models = made.models;
+  if (made.react && !models.conduction && !models.radiation && !models.reaction)
+    root.fault("react", "wanted [models.conduction], [models.radiation] or models.reaction = true");
+  if (models.conduction && models.conduction->gap && !made.chamber)
+    root.fault("models", "the gas gaps want [chamber] for the gas; or set conduction.gap = false");
+  if (models.reaction && !made.chamber)
+    root.fault("models", "the reaction wants [chamber] for the oxygen pressure");
+  for (std::size_t k = 0; k < made.particles.size(); ++k) {
+    const Vec3& at = made.particles[k].position;
+    const bool outside = (at.array() < made.domain_low.array()).any() ||
+                         (at.array() > made.domain_high.array()).any();
+    if (outside)
+      root.fault("particles", "particle " + std::to_string(k) + " lies outside the domain");
+  }
+}
+
+Case read_case(Reading& reading, const Node& document, const fs::path& base_dir) {
+  Case made{};
+  Table root(reading, document, "");
+  made.title = root.word("title", "a text in quotes");
+  made.description = root.word_or("description", "");
+  made.seed = root.count("seed", 0, 1);
+  made.gravity = read_gravity(root);
+  made.models = read_models(root);
+  reading.provenance = &made.provenance;
+  MaterialBook book(reading, root, made.provenance);
+  const bool heat = made.models.conduction || made.models.radiation;
+  const WallSetting setting{book, base_dir, heat};
+  const double closing = read_closing(root);
+  const std::optional<Rig> rig = read_rig(root, setting, closing);
+  const bool rig_is_faulty = !rig && root.has("rig");
+  read_domain(root, rig, rig_is_faulty, made);
+  if (rig) build_rig(*rig, made.walls);
+  read_walls(root, setting, made.walls);
+  made.species = read_species(root, book, rig, rig_is_faulty);
+  made.particles = read_particles(root, base_dir, made.species);
+  made.fill = read_fill(root);
+  made.mix = read_mix(root);
+  made.react = read_react(root);
+  made.chamber = read_chamber(root, rig, rig_is_faulty);
+  made.decomposition = read_decomposition(root);
+  made.thermocouples = read_thermocouples(root);
+  made.output = read_output(root);
+  made.materials = book.finish(made.models);
+  if (reading.faults() == 0 && root.has("species")) count_explicit(root, made);
+  check_whole(root, made);
+  return made;
+}
+
+}  // namespace
+
+Case load_case_text(const std::string& text, const std::string& name, const fs::path& base_dir,
+                    std::span<const std::string> sets) {
+  Node document = parse_toml(text, name);
+  if (document.members.empty())
+    throw CaseError({{name, "", "is empty: it holds no key at all; wanted a case"}});
+  for (const std::string& set : sets) apply_setting(document, set);
+  const bool moved = make_files_absolute(document, base_dir);
+  Reading reading;
+  Case made = read_case(reading, document, base_dir);
+  reading.finish();
+  made.text = moved || !sets.empty() ? write_toml(document) : text;
+  return made;
+}
+
+Case load_case(const fs::path& file, std::span<const std::string> sets) {
+  return load_case_text(text_of(file), file.string(), fs::absolute(file).parent_path(), sets);
+}
+
+}  // namespace pmr::casefile

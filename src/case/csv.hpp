@@ -1,0 +1,22 @@
+// Explicit particles from a CSV file: a header "species, x [mm], y [mm], z [mm]", and if wanted
+// "vx [m/s]" ..., "wx [rad/s]" ..., "temperature [degC]", "radius [mm]"; then one row a particle.
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "case/reader.hpp"
+#include "pmr/state/case.hpp"
+
+namespace pmr::casefile {
+
+std::vector<ExplicitParticle> read_particles_csv(Reading& reading,
+                                                 const std::filesystem::path& file,
+                                                 std::span<const Species> species);
+
+// Index of a species by name; a fault and 0 when there is none.
+SpeciesIndex species_index(Reading& reading, const Place& place, const std::string& key,
+                           const std::string& name, std::span<const Species> species);
+
+}  // namespace pmr::casefile

@@ -1,0 +1,136 @@
+// The chamber's gas, its pump, and the models' numerics.
+#include <limits>
+
+#include "case/parts.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+std::optional<Pump> read_pump(Table& chamber) {
+  const Node* node = chamber.look_table("pump");
+  if (node == nullptr) return std::nullopt;
+  Table table(chamber.reading(), *node, chamber.path("pump"));
+  Pump pump{};
+  pump.start = table.value("start", a_time);
+  pump.speed = table.value("speed", {Dimension::flow, positive});
+  pump.ultimate = table.value("ultimate", a_pressure);
+  pump.set_point = table.value("set_point", a_pressure);
+  if (pump.set_point < pump.ultimate)
+    table.fault("set_point", "wanted at least the ultimate pressure");
+  return pump;
+}
+
+// A model is a table, or true (all defaults), or false or missing (off).
+const Node* model(Table& models, const std::string& key, const Node& defaults) {
+  const Node* node = models.look(key);
+  if (node == nullptr || node->is_table()) return node;
+  return models.flag(key, false) ? &defaults : nullptr;
+}
+
+MechanicsModel read_mechanics(Table& models) {
+  const Node defaults;
+  const Node* node = models.look_table("mechanics");
+  Table table(models.reading(), node == nullptr ? defaults : *node, models.path("mechanics"));
+  MechanicsModel mechanics{};
+  mechanics.time_step = table.maybe("time_step", a_duration);
+  mechanics.fraction_of_rayleigh =
+      table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.19);
+  mechanics.skin = table.value("skin", a_positive_number, 0.3);
+  return mechanics;
+}
+
+ConductionModel read_conduction(Table& models, const Node& node) {
+  Table table(models.reading(), node, models.path("conduction"));
+  ConductionModel conduction{};
+  conduction.contact = table.flag("contact", true);
+  conduction.gap = table.flag("gap", true);
+  conduction.gap_reach = table.value("gap_reach", {Dimension::none, {0, 2, true}}, 0.5);
+  conduction.bed_solid_fraction =
+      table.value("bed_solid_fraction", {Dimension::none, {0, 0.74, true}}, 0.6);
+  return conduction;
+}
+
+RadiationModel read_radiation(Table& models, const Node& node) {
+  Table table(models.reading(), node, models.path("radiation"));
+  const Want rays{Dimension::none, {1.0, 1.0e7}};
+  RadiationModel radiation{};
+  radiation.rays_moving = table.value("rays_moving", rays, 64.0);
+  radiation.rays_settled = table.value("rays_settled", rays, 512.0);
+  radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.04);
+  radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.02);
+  radiation.surroundings = table.value("surroundings", a_temperature);
+  return radiation;
+}
+
+NetworkModel read_network(Table& models) {
+  const Node defaults;
+  const Node* node = models.look_table("network");
+  Table table(models.reading(), node == nullptr ? defaults : *node, models.path("network"));
+  NetworkModel network{};
+  network.relative_tolerance =
+      table.value("relative_tolerance", {Dimension::none, {0, 0.1, true}}, 1.0e-5);
+  network.temperature_tolerance =
+      table.value("temperature_tolerance", {Dimension::temperature_difference, positive}, 1.0e-3);
+  network.delta_tolerance = table.value("delta_tolerance", {Dimension::none, {0, 0.1, true}}, 1e-6);
+  return network;
+}
+
+}  // namespace
+
+double read_closing(Table& root) {
+  const Node* node = root.look_table("chamber");
+  const Node* closing = node == nullptr ? nullptr : node->find("closing");
+  if (closing == nullptr) return forever;
+  const Node* figure = closing->is_table() ? closing->find("value") : closing;
+  if (figure == nullptr || figure->kind != Node::Kind::string) return forever;
+  const Quantities read = root.reading().units.parse(figure->text, Dimension::time);
+  return read.values.size() == 1 ? read.values.front() : forever;  // read_chamber tells the fault
+}
+
+std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& rig,
+                                        bool rig_is_faulty) {
+  const Node* node = root.look_table("chamber");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "chamber");
+  ChamberCase chamber{};
+  const Want volume{Dimension::volume, positive};
+  chamber.closing = table.value("closing", a_time, forever);
+  const bool is_closed = table.has("closing");
+  if (!is_closed)
+    chamber.volume = table.value("volume", volume, std::numeric_limits<double>::quiet_NaN());
+  else if (rig)
+    chamber.volume = table.value("volume", volume, rig->size.chamber_volume());
+  else if (rig_is_faulty)
+    table.maybe("volume", volume);
+  else
+    chamber.volume = table.value("volume", volume);
+  chamber.pressure = table.value("pressure", {Dimension::pressure, positive});
+  chamber.oxygen_fraction = table.value("oxygen_fraction", a_fraction);
+  chamber.gas_temperature = table.value("gas_temperature", a_temperature);
+  chamber.film_coefficient =
+      table.value("film_coefficient", {Dimension::film_coefficient, not_negative});
+  chamber.leak = table.value("leak", {Dimension::leak, not_negative});
+  chamber.pump = read_pump(table);
+  if (chamber.pump && chamber.pump->start < chamber.closing)
+    table.fault("closing", "the pump starts before the chamber is closed");
+  return chamber;
+}
+
+Models read_models(Table& root) {
+  const Node defaults;
+  const Node* node = root.look_table("models");
+  Table table(root.reading(), node == nullptr ? defaults : *node, "models");
+  Models models{};
+  models.mechanics = read_mechanics(table);
+  if (const Node* on = model(table, "conduction", defaults); on != nullptr)
+    models.conduction = read_conduction(table, *on);
+  if (const Node* on = model(table, "radiation", defaults); on != nullptr)
+    models.radiation = read_radiation(table, *on);
+  models.reaction = table.flag("reaction", false);
+  models.network = read_network(table);
+  return models;
+}
+
+}  // namespace pmr::casefile

@@ -1,0 +1,190 @@
+// One material: its figures and its laws.
+#include <algorithm>
+
+#include "case/materials.hpp"
+#include "pmr/base/constants.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Want poisson{Dimension::none, {-1.0, 0.5, true, false}};
+
+// Reads a table whose mark and source hold for all of it, recorded as one figure.
+template <class Read>
+void read_law(Table& parent, const std::string& key, const Read& read) {
+  const Node* node = parent.look_table(key);
+  if (node == nullptr) return;
+  Reading& reading = parent.reading();
+  Table law(reading, *node, parent.path(key));
+  const std::string mark =
+      law.has("mark") ? law.choice("mark", {"P", "L", "D", "A"}) : std::string("A");
+  const std::string source = law.word_or("source", "given in the case");
+  const std::string range = law.word_or("range", "");
+  Node figures = *node;
+  for (const char* side : {"mark", "source", "range"}) figures.members.erase(side);
+  if (!mark.empty() && reading.provenance != nullptr)
+    reading.provenance->push_back({parent.path(key), write_value(figures), mark[0], source, range});
+  const bool plain = reading.records_plain_values;
+  reading.records_plain_values = false;
+  read(law);
+  reading.records_plain_values = plain;
+}
+
+// Rows "temperature" and "value" of equal length, temperatures ascending.
+pmr::Table read_rows(Table& law, Want want) {
+  pmr::Table rows{law.values("temperature", a_temperature), law.values("value", want)};
+  if (rows.x.size() != rows.y.size()) law.fault("value", "wanted as many values as temperatures");
+  if (std::adjacent_find(rows.x.begin(), rows.x.end(), std::greater_equal<>()) != rows.x.end())
+    law.fault("temperature", "wanted rising temperatures");
+  if (rows.x.empty() || rows.x.size() != rows.y.size()) return constant(nan);
+  return rows;
+}
+
+HeatLaw read_shomate(Table& law) {
+  const Want coefficient{Dimension::molar_heat_capacity, any};
+  const auto energy = [&](const char* key) {  // [kJ/mol], as NIST writes them
+    return law.value(key, {Dimension::molar_energy, any}) * 1e-3;
+  };
+  return Shomate{law.value("a", coefficient),
+                 law.value("b", coefficient),
+                 law.value("c", coefficient),
+                 law.value("d", coefficient),
+                 law.value("e", coefficient),
+                 energy("f"),
+                 energy("h"),
+                 law.value("molar_mass", {Dimension::molar_mass, positive}),
+                 law.value("minimum_temperature", a_temperature),
+                 law.value("maximum_temperature", a_temperature)};
+}
+
+HeatLaw read_heat(Table& law) {
+  const std::string kind = law.choice("law", {"constant", "shomate", "ferrite"});
+  if (kind == "shomate") return read_shomate(law);
+  if (kind == "ferrite") {
+    const Want coefficient{Dimension::molar_heat_capacity, any};
+    return FerriteHeat{law.value("a", coefficient), law.value("b", coefficient),
+                       law.value("c", coefficient), law.value("d", coefficient)};
+  }
+  if (kind.empty()) law.ignore_rest();
+  if (kind != "constant") return ConstantHeat{nan};
+  return ConstantHeat{law.value("heat_capacity", {Dimension::heat_capacity, positive})};
+}
+
+Conductivity read_conductivity(Table& law) {
+  const std::string kind = law.choice("law", {"constant", "table", "alumina"});
+  const Want conductivity{Dimension::conductivity, positive};
+  if (kind == "alumina")
+    return AluminaConductivity{law.value("factor", a_positive_number),
+                               law.value("c0", {Dimension::conductivity, not_negative}),
+                               law.value("c1", {Dimension::line_conductivity, not_negative}),
+                               law.value("c2", {Dimension::per_temperature, not_negative}),
+                               law.value("c3", {Dimension::temperature_difference, any})};
+  if (kind == "table")
+    return TabulatedConductivity{read_rows(law, conductivity),
+                                 law.value("gas_share", a_fraction, 0.0),
+                                 law.value("half_pressure", {Dimension::pressure, positive}, 1.0)};
+  if (kind.empty()) law.ignore_rest();
+  if (kind != "constant") return TabulatedConductivity{constant(nan)};
+  return TabulatedConductivity{constant(law.value("value", conductivity))};
+}
+
+pmr::Table read_emissivity(Table& table) {
+  const Want emissivity{Dimension::none, {0.0, 1.0, true, false}};
+  const Node* node = table.look("emissivity");
+  if (node == nullptr) return constant(nan);
+  if (node->find("temperature") == nullptr) return constant(table.value("emissivity", emissivity));
+  pmr::Table rows = constant(nan);
+  read_law(table, "emissivity", [&](Table& law) { rows = read_rows(law, emissivity); });
+  return rows;
+}
+
+RedoxEquilibrium read_equilibrium(Table& law) {
+  const Want energy{Dimension::molar_energy, positive};
+  const Want entropy{Dimension::molar_heat_capacity, any};
+  const Want delta{Dimension::none, {0.0, 3.0, false, false}};
+  RedoxEquilibrium e{};
+  e.enthalpy_minimum = law.value("enthalpy_minimum", energy);
+  e.enthalpy_maximum = law.value("enthalpy_maximum", energy);
+  e.shift = law.value("shift", a_number);
+  e.steepness = law.value("steepness", a_positive_number);
+  e.offset = law.value("offset", a_number);
+  e.vibration_entropy = law.value("vibration_entropy", entropy);
+  e.oxygen_entropy = law.value("oxygen_entropy", entropy);
+  e.configuration = law.value("configuration", a_positive_number);
+  e.delta_limit = law.value("delta_limit", delta, 0.5);
+  e.fit_delta_minimum = law.value("fit_delta_minimum", delta);
+  e.fit_delta_maximum = law.value("fit_delta_maximum", delta);
+  e.fit_temperature_minimum = law.value("fit_temperature_minimum", a_temperature);
+  e.fit_temperature_maximum = law.value("fit_temperature_maximum", a_temperature);
+  e.fit_pressure_minimum = law.value("fit_pressure_minimum", a_pressure);
+  e.fit_pressure_maximum = law.value("fit_pressure_maximum", a_pressure);
+  return e;
+}
+
+// The pre-exponential is per Pa^m; UDUNITS has no broken powers, so m = 1 alone is written in Pa.
+RateLaw read_rate(Table& law) {
+  law.choice("law", {"power"});
+  PowerRate rate{};
+  rate.factor = law.value("factor", {Dimension::none, not_negative});
+  rate.exponent = law.value("exponent", a_positive_number);
+  const bool linear = rate.exponent == 1.0;
+  rate.pre_exponential =
+      law.value("pre_exponential",
+                {linear ? Dimension::rate_constant : Dimension::volumetric_rate, not_negative});
+  rate.activation_energy = law.value("activation_energy", {Dimension::molar_energy, not_negative});
+  return rate;
+}
+
+Redox read_redox(Table& table) {
+  Redox redox{};
+  table.need_table("equilibrium");
+  table.need_table("rate");
+  read_law(table, "equilibrium", [&](Table& law) { redox.equilibrium = read_equilibrium(law); });
+  read_law(table, "rate", [&](Table& law) { redox.rate = read_rate(law); });
+  redox.molar_mass = table.value("molar_mass", {Dimension::molar_mass, positive});
+  redox.atomic_oxygen = table.value("atomic_oxygen", {Dimension::molar_mass, positive});
+  redox.density_delta = table.value("density_delta", {Dimension::none, {0.0, 3.0}});
+  return redox;
+}
+
+void read_elasticity(Table& table, Material& material) {
+  const Want modulus{Dimension::pressure, positive};
+  material.young_soft = table.value("young_soft", modulus, nan);
+  material.poisson_soft = table.value("poisson_soft", poisson, nan);
+  material.young_real = table.value("young_real", modulus, nan);
+  material.poisson_real = table.value("poisson_real", poisson, nan);
+}
+
+}  // namespace
+
+Material read_material(Reading& reading, const Node& node, const std::string& name) {
+  Material material{};
+  material.name = name;
+  std::vector<Provenance>* const outer = reading.provenance;
+  reading.provenance = &material.provenance;
+  reading.records_plain_values = true;
+  const std::string path = "materials." + name;
+  {
+    Table table(reading, node, path);
+    material.density = table.value("density", {Dimension::density, positive}, nan);
+    read_elasticity(table, material);
+    material.heat = ConstantHeat{nan};
+    read_law(table, "heat", [&](Table& law) { material.heat = read_heat(law); });
+    material.conductivity = TabulatedConductivity{constant(nan)};
+    read_law(table, "conductivity",
+             [&](Table& law) { material.conductivity = read_conductivity(law); });
+    material.emissivity = read_emissivity(table);
+    material.accommodation = table.value("accommodation", {Dimension::none, {0, 1, true}}, nan);
+    if (const Node* redox = table.look_table("redox"); redox != nullptr) {
+      Table inner(reading, *redox, table.path("redox"));
+      material.redox = read_redox(inner);
+    }
+  }
+  reading.provenance = outer;
+  reading.records_plain_values = false;
+  for (Provenance& figure : material.provenance) figure.key.erase(0, path.size() + 1);
+  return material;
+}
+
+}  // namespace pmr::casefile

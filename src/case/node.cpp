@@ -1,0 +1,172 @@
+#include "case/node.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "pmr/base/errors.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+std::string written_key(const std::string& key) {
+  bool bare = !key.empty();
+  for (const char c : key)
+    bare = bare && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-');
+  return bare ? key : quoted(key);
+}
+
+std::string written_number(const Node& node) {
+  if (std::isnan(node.number)) return "nan";
+  if (std::isinf(node.number)) return node.number > 0 ? "inf" : "-inf";
+  if (node.is_integer) return fmt::format("{:.0f}", node.number);
+  const std::string text = fmt::format("{}", node.number);  // shortest that reads back exactly
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+bool stands_on_its_own(const Node& node) { return node.is_table() && !node.is_inline; }
+
+void write_table(const Node& table, const std::string& path, std::string& out) {
+  for (const auto& [key, node] : table.members)
+    if (!stands_on_its_own(node)) out += written_key(key) + " = " + write_value(node) + "\n";
+  for (const auto& [key, node] : table.members) {
+    if (!stands_on_its_own(node)) continue;
+    const std::string inner = path.empty() ? written_key(key) : path + "." + written_key(key);
+    out += "\n[" + inner + "]\n";
+    write_table(node, inner, out);
+  }
+}
+
+bool is_all_digits(const std::string& text) {
+  if (text.empty() || text.size() > 9) return false;
+  for (const char c : text)
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0) return false;
+  return true;
+}
+
+void mark_place(Node& node, const Place& place) {
+  node.place = place;
+  for (auto& [key, member] : node.members) mark_place(member, place);
+  for (Node& item : node.items) mark_place(item, place);
+}
+
+[[noreturn]] void refuse(const std::string& setting, const std::string& problem) {
+  throw CaseError({{"--set " + setting, "", problem}});
+}
+
+// The element of an array that a --set names by its index.
+Node& element(Node& array, const std::string& key, const std::string& setting) {
+  if (!is_all_digits(key) || std::stoul(key) >= array.items.size())
+    refuse(setting, fmt::format("'{}' is no index into a list of {} (0 is the first)", key,
+                                array.items.size()));
+  return array.items[std::stoul(key)];
+}
+
+Node& place_for(Node& node, const std::string& key, const std::string& setting) {
+  if (node.kind == Node::Kind::array) return element(node, key, setting);
+  if (!node.is_table()) {
+    node = Node{};
+    node.place.file = "--set " + setting;
+  }
+  Node& member = node.members[key];
+  if (member.place.file.empty()) member.place.file = "--set " + setting;
+  return member;
+}
+
+}  // namespace
+
+std::string to_string(const Place& place) {
+  if (place.line == 0) return place.file;
+  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+}
+
+const Node* Node::find(const std::string& key) const {
+  const auto found = members.find(key);
+  return found == members.end() ? nullptr : &found->second;
+}
+
+std::string write_value(const Node& node) {
+  std::string out;
+  switch (node.kind) {
+    case Node::Kind::table:
+      for (const auto& [key, member] : node.members)
+        out += (out.empty() ? "" : ", ") + written_key(key) + " = " + write_value(member);
+      return "{" + out + "}";
+    case Node::Kind::array:
+      for (const Node& item : node.items) out += (out.empty() ? "" : ", ") + write_value(item);
+      return "[" + out + "]";
+    case Node::Kind::string:
+      return quoted(node.text);
+    case Node::Kind::number:
+      return written_number(node);
+    case Node::Kind::boolean:
+      return node.boolean ? "true" : "false";
+    case Node::Kind::other:
+      break;
+  }
+  return "1970-01-01";  // some date: no key wants one, so its value never matters
+}
+
+std::string write_toml(const Node& table) {
+  std::string out;
+  write_table(table, "", out);
+  return out;
+}
+
+void apply_setting(Node& root, const std::string& setting) {
+  Node document;
+  try {
+    document = parse_toml(setting, "--set");
+  } catch (const CaseError&) {
+    refuse(setting,
+           "wanted dotted.key=VALUE with a TOML value such as 3, true or '\"2 kg\"' "
+           "(a text keeps its double quotes)");
+  }
+  Node* target = &root;
+  const Node* value = &document;
+  while (stands_on_its_own(*value)) {
+    if (value->members.size() != 1) refuse(setting, "wanted exactly one dotted.key=VALUE");
+    const auto& [key, inner] = *value->members.begin();
+    target = &place_for(*target, key, setting);
+    value = &inner;
+  }
+  *target = *value;
+  mark_place(*target, {"--set " + setting, 0, 0});
+}
+
+void merge(Node& base, const Node& over) {
+  const bool whole = !base.is_table() || !over.is_table() || base.find("value") != nullptr ||
+                     over.find("value") != nullptr || over.find("law") != nullptr;
+  if (whole) {
+    base = over;
+    return;
+  }
+  base.place = over.place;
+  for (const auto& [key, node] : over.members) {
+    const auto found = base.members.find(key);
+    if (found == base.members.end())
+      base.members.emplace(key, node);
+    else
+      merge(found->second, node);
+  }
+}
+
+}  // namespace pmr::casefile

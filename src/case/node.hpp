@@ -1,0 +1,51 @@
+// A TOML document as plain data, with the place of every value.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pmr::casefile {
+
+// Where a value stands. A file that is no TOML document (a --set option) has line 0.
+struct Place {
+  std::string file;
+  unsigned line = 0, column = 0;  // [1] from 1
+};
+
+// "file:line:column", or the file alone where there is no line.
+std::string to_string(const Place& place);
+
+struct Node {
+  enum class Kind { table, array, string, number, boolean, other };
+  Kind kind = Kind::table;
+  bool is_inline = false;  // table written in braces
+  bool is_integer = false;
+  Place place;
+  std::string text;  // of a string
+  double number = 0.0;
+  bool boolean = false;
+  std::map<std::string, Node> members;  // of a table
+  std::vector<Node> items;              // of an array
+
+  const Node* find(const std::string& key) const;
+  bool is_table() const { return kind == Kind::table; }
+};
+
+// Reads TOML text; throws CaseError with file:line:column of a mistake in the syntax.
+Node parse_toml(const std::string& text, const std::string& file);
+
+// Writes a table as TOML that parses back to the same values.
+std::string write_toml(const Node& table);
+
+// The value as TOML on one line.
+std::string write_value(const Node& node);
+
+// Applies "dotted.key=TOMLVALUE" to the document; throws CaseError when it is not that. Missing
+// tables are made (the reader then says whether the key is known); array elements go by index.
+void apply_setting(Node& root, const std::string& setting);
+
+// Lays `over` on `base`: tables that describe no single figure and no law are merged key by key,
+// anything else is replaced.
+void merge(Node& base, const Node& over);
+
+}  // namespace pmr::casefile

@@ -1,0 +1,35 @@
+// Readers of the parts of a case, one function each.
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "case/materials.hpp"
+#include "case/reader.hpp"
+#include "case/rig.hpp"
+#include "pmr/state/case.hpp"
+
+namespace pmr::casefile {
+
+// species.cpp
+std::vector<Species> read_species(Table& root, MaterialBook& book, const std::optional<Rig>& rig,
+                                  bool rig_is_faulty);
+std::vector<ExplicitParticle> read_particles(Table& root, const std::filesystem::path& base_dir,
+                                             std::span<const Species> species);
+// Counts the explicit particles of species without a region.
+void count_explicit(Table& root, Case& made);
+
+// phases.cpp
+std::optional<FillPhase> read_fill(Table& root);
+std::optional<MixPhase> read_mix(Table& root);
+std::optional<ReactPhase> read_react(Table& root);
+std::optional<Decomposition> read_decomposition(Table& root);
+std::vector<Thermocouple> read_thermocouples(Table& root);
+OutputCase read_output(Table& root);
+
+// gas_and_models.cpp
+double read_closing(Table& root);  // [s] of the chamber; infinite without one
+std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& rig,
+                                        bool rig_is_faulty);
+Models read_models(Table& root);
+
+}  // namespace pmr::casefile

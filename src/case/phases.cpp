@@ -1,0 +1,93 @@
+// Phases, instruments and output.
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "case/parts.hpp"
+#include "pmr/base/constants.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+constexpr Want a_speed{Dimension::speed, positive};
+
+RestCriterion read_rest(Table& table) {
+  return {table.value("rest_speed", a_speed), table.value("rest_hold", a_duration)};
+}
+
+}  // namespace
+
+std::optional<FillPhase> read_fill(Table& root) {
+  const Node* node = root.look_table("fill");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "fill");
+  return FillPhase{table.value("duration", a_duration), read_rest(table)};
+}
+
+std::optional<MixPhase> read_mix(Table& root) {
+  const Node* node = root.look_table("mix");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "mix");
+  MixPhase mix{};
+  mix.duration = table.value("duration", a_duration);
+  mix.not_before = table.value("not_before", {Dimension::time, not_negative}, 0.0);
+  mix.rest = read_rest(table);
+  mix.heat_interval = table.value("heat_interval", a_duration, 0.02);
+  return mix;
+}
+
+std::optional<ReactPhase> read_react(Table& root) {
+  const Node* node = root.look_table("react");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "react");
+  ReactPhase react{};
+  react.end = table.value("end", a_duration);
+  react.first_interval = table.value("first_interval", a_duration, 0.02);
+  react.growth = table.value("growth", {Dimension::none, not_negative}, 0.1);
+  react.longest_interval = table.value("longest_interval", a_duration, 30.0);
+  return react;
+}
+
+std::optional<Decomposition> read_decomposition(Table& root) {
+  const Node* node = root.look_table("decomposition");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "decomposition");
+  Decomposition tool{};
+  tool.axis_point = table.vector("axis_point", Dimension::length);
+  tool.ramp_azimuth = table.value("ramp_azimuth", {Dimension::angle, any});
+  tool.layer_fraction = table.values("layer_fraction", {Dimension::none, {0, 1, true}});
+  const double sum = std::accumulate(tool.layer_fraction.begin(), tool.layer_fraction.end(), 0.0);
+  if (sum > 1.0) table.fault("layer_fraction", fmt::format("adds up to {}, more than 1", sum));
+  tool.sectors = static_cast<std::uint32_t>(table.count("sectors", 1));
+  tool.reference_mass_ratio = table.values("reference_mass_ratio", a_positive_number, {});
+  const std::size_t references = tool.reference_mass_ratio.size();
+  if (references != 0 && references != tool.layer_fraction.size())
+    table.fault("reference_mass_ratio", "wanted one for each layer");
+  tool.reference_source = table.word_or("reference_source", "");
+  return tool;
+}
+
+std::vector<Thermocouple> read_thermocouples(Table& root) {
+  std::vector<Thermocouple> all;
+  for_each_table(root, "thermocouples", [&](Table& table, const std::string& name) {
+    all.push_back(
+        {name, table.vector("position", Dimension::length), table.value("radius", a_length)});
+  });
+  return all;
+}
+
+OutputCase read_output(Table& root) {
+  const Node empty;
+  const Node* node = root.look_table("output");
+  Table table(root.reading(), node == nullptr ? empty : *node, "output");
+  OutputCase output{};
+  output.snapshot_interval = table.value("snapshot_interval", a_duration, 0.05);
+  output.snapshot_times = table.values("snapshot_times", a_time, {});
+  output.checkpoint_wall_time = table.value("checkpoint_wall_time", a_duration, 60.0);
+  output.cut_point = table.vector("cut_point", Dimension::length, Vec3::Zero());
+  output.cut_normal = Vec3::UnitY();
+  if (table.look("cut_normal") != nullptr) output.cut_normal = table.direction("cut_normal");
+  return output;
+}
+
+}  // namespace pmr::casefile

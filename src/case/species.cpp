@@ -1,0 +1,214 @@
+// Species and explicit particles.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "case/csv.hpp"
+#include "case/nearest.hpp"
+#include "case/parts.hpp"
+#include "pmr/base/constants.hpp"
+
+namespace pmr::casefile {
+namespace {
+
+constexpr std::size_t most_species = 255;  // SpeciesIndex is a byte
+constexpr double densest_random = 0.64;    // [1] solid fraction of random close packing
+constexpr double most_particles = 4.0e9;   // ParticleId is 32 bits
+
+double sphere_volume(double diameter) { return pi / 6.0 * diameter * diameter * diameter; }  // [m3]
+
+InitialDelta read_delta(Table& table) {
+  const Want delta{Dimension::none, {0.0, 3.0, true, true}};
+  const Node* node = table.need("delta",
+                                "a number, or {equilibrium_at = \"700 degC\", oxygen = "
+                                "\"21278 Pa\"}");
+  if (node == nullptr) return 0.0;
+  if (node->find("equilibrium_at") == nullptr && node->find("oxygen") == nullptr)
+    return table.value("delta", delta);
+  Table inner(table.reading(), *node, table.path("delta"));
+  return EquilibriumDelta{inner.value("equilibrium_at", a_temperature),
+                          inner.value("oxygen", {Dimension::pressure, positive})};
+}
+
+std::optional<Region> rig_region(Table& table, const Rig& rig) {
+  const std::string name = table.word("rig", "the name of a valve");
+  std::vector<std::string> names;
+  for (const Valve& valve : rig.valves) {
+    if (valve.name == name) return tube_region(rig.size, valve);
+    names.push_back(valve.name);
+  }
+  table.fault("rig", unknown_word("valve", name, names));
+  return std::nullopt;
+}
+
+Region read_cylinder(Table& table) {
+  CylinderRegion region{};
+  region.base = table.vector("base", Dimension::length);
+  region.radius = table.value("radius", a_length);
+  region.inner_radius = table.value("inner_radius", {Dimension::length, not_negative}, 0.0);
+  region.height = table.value("height", a_length);
+  if (region.inner_radius >= region.radius) table.fault("inner_radius", "wanted below radius");
+  return region;
+}
+
+Region read_box(Table& table) {
+  const BoxRegion region{table.vector("low", Dimension::length),
+                         table.vector("high", Dimension::length)};
+  if ((region.high - region.low).minCoeff() <= 0.0)
+    table.fault("high", "wanted each component above low");
+  return region;
+}
+
+// {rig = "Al2O3"}, or a cylinder (base, radius, height), or a box (low, high).
+std::optional<Region> read_region(Table& species, const std::optional<Rig>& rig,
+                                  bool rig_is_faulty) {
+  const Node* node = species.look_table("region");
+  if (node == nullptr) return std::nullopt;
+  Table table(species.reading(), *node, species.path("region"));
+  if (table.has("rig") && rig_is_faulty) {
+    table.ignore_rest();
+    return std::nullopt;
+  }
+  if (table.has("rig") && rig) return rig_region(table, *rig);
+  if (table.has("low") || table.has("high")) return read_box(table);
+  if (!table.has("rig")) return read_cylinder(table);
+  table.word("rig", "");
+  table.fault("rig", "the case has no [rig]");
+  return std::nullopt;
+}
+
+double volume_of(const CylinderRegion& r) {  // [m3]
+  return pi * (r.radius * r.radius - r.inner_radius * r.inner_radius) * r.height;
+}
+double volume_of(const BoxRegion& r) { return (r.high - r.low).prod(); }  // [m3]
+
+void check_room(Table& table, const Species& species) {
+  if (!species.region) return;
+  const double room =
+      std::visit([](const auto& region) { return volume_of(region); }, *species.region);
+  const double solid = static_cast<double>(species.count) * sphere_volume(species.diameter);
+  if (solid > densest_random * room)
+    table.fault("region", fmt::format("{} particles of {:.4g} mm do not fit: they are {:.4g} cm3 "
+                                      "of solid, the region holds at most {:.4g} cm3",
+                                      species.count, species.diameter * 1e3, solid * 1e6,
+                                      densest_random * room * 1e6));
+}
+
+// mass: count = round(mass / (density * volume)), the density as the material states it.
+void read_amount(Table& table, const Material& material, Species& species) {
+  const double each = material.density * sphere_volume(species.diameter);
+  const bool by_count = table.has("count");
+  if (by_count && table.has("mass")) table.fault("count", "wanted mass or count, not both");
+  if (by_count) {
+    species.count = table.count("count", 1);
+    table.look("mass");
+    species.requested_mass = static_cast<double>(species.count) * each;
+    return;
+  }
+  if (!species.region && !table.has("mass") && !table.has("region")) return;  // explicit ones only
+  species.requested_mass = table.value("mass", {Dimension::mass, positive});
+  const double count = std::round(species.requested_mass / each);
+  if (count > most_particles) table.fault("mass", "makes too many particles");
+  if (species.requested_mass > 0.0 && count < 1.0) table.fault("mass", "is less than one particle");
+  if (count >= 1.0 && count <= most_particles) species.count = static_cast<std::size_t>(count);
+}
+
+Species read_one(Table& table, const std::string& name, MaterialBook& book,
+                 const std::optional<Rig>& rig, bool rig_is_faulty) {
+  Species species{};
+  species.name = name;
+  species.material = book.use(table, "material", MaterialBook::Role::particle);
+  species.diameter = table.value("diameter", a_length);
+  species.initial_temperature = table.value("temperature", a_temperature);
+  species.region = read_region(table, rig, rig_is_faulty);
+  if (table.node().find("material") == nullptr || book.empty()) {
+    table.ignore_rest();
+    return species;
+  }
+  const Material& material = book[species.material];
+  read_amount(table, material, species);
+  if (material.redox) {
+    species.initial_delta = read_delta(table);
+    const double* delta = std::get_if<double>(&species.initial_delta);
+    if (delta != nullptr && *delta >= material.redox->equilibrium.delta_limit)
+      table.fault("delta", fmt::format("wanted below {}", material.redox->equilibrium.delta_limit));
+  } else if (table.has("delta")) {
+    table.look("delta");
+    table.fault("delta", fmt::format("material '{}' holds no oxygen to give", material.name));
+  }
+  check_room(table, species);
+  return species;
+}
+
+ExplicitParticle read_particle(Table& table, std::span<const Species> species) {
+  ExplicitParticle particle{};
+  const std::string name = table.word("species", "the name of a species");
+  if (!name.empty())
+    particle.species = species_index(table.reading(), table.node().find("species")->place,
+                                     table.path("species"), name, species);
+  particle.position = table.vector("position", Dimension::length);
+  particle.velocity = table.vector("velocity", Dimension::speed, Vec3::Zero());
+  particle.spin = table.vector("spin", Dimension::spin, Vec3::Zero());
+  particle.temperature = table.maybe("temperature", a_temperature);
+  particle.radius = table.maybe("radius", a_length);
+  return particle;
+}
+
+}  // namespace
+
+std::vector<Species> read_species(Table& root, MaterialBook& book, const std::optional<Rig>& rig,
+                                  bool rig_is_faulty) {
+  std::vector<Species> all;
+  root.need_table("species");
+  for_each_table(root, "species", [&](Table& table, const std::string& name) {
+    all.push_back(read_one(table, name, book, rig, rig_is_faulty));
+  });
+  if (all.size() > most_species) root.fault("species", "wanted at most 255 species");
+  return all;
+}
+
+std::vector<ExplicitParticle> read_particles(Table& root, const std::filesystem::path& base_dir,
+                                             std::span<const Species> species) {
+  std::vector<ExplicitParticle> all;
+  const Node* node = root.look("particles");
+  if (node == nullptr) return all;
+  if (node->is_table()) {
+    Table table(root.reading(), *node, "particles");
+    const std::string file = table.word("csv", "the name of a CSV file");
+    return file.empty() ? all : read_particles_csv(root.reading(), base_dir / file, species);
+  }
+  if (node->kind != Node::Kind::array) {
+    root.fault("particles", "wanted [[particles]] or {csv = \"file.csv\"}");
+    return all;
+  }
+  for (std::size_t k = 0; k < node->items.size(); ++k) {
+    Table table(root.reading(), node->items[k], fmt::format("particles.{}", k));
+    all.push_back(read_particle(table, species));
+  }
+  return all;
+}
+
+void count_explicit(Table& root, Case& made) {
+  std::vector<std::size_t> count(made.species.size(), 0);
+  for (const ExplicitParticle& particle : made.particles)
+    if (particle.species < count.size()) ++count[particle.species];
+  for (std::size_t k = 0; k < count.size(); ++k) {
+    Species& species = made.species[k];
+    const auto fault = [&](const std::string& problem) {
+      root.reading().fault(root.node().find("species")->place, "species." + species.name, problem);
+    };
+    if (species.region && count[k] > 0)
+      fault("has a region and explicit particles; wanted one of them");
+    if (species.region) continue;
+    if (count[k] == 0) fault("has no particles: wanted a region, or [[particles]] of it");
+    if (species.count != 0 && species.count != count[k])
+      fault(fmt::format("asks for {} particles, but {} are given one by one", species.count,
+                        count[k]));
+    species.count = count[k];
+    species.requested_mass = static_cast<double>(count[k]) *
+                             made.materials.list[species.material].density *
+                             sphere_volume(species.diameter);
+  }
+}
+
+}  // namespace pmr::casefile

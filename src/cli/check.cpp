@@ -1,0 +1,90 @@
+// pmr check: what a case comes to, before it is run.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/case.hpp"
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "coupling/nodes.hpp"
+#include "coupling/thermal_state.hpp"
+#include "physics/insertion.hpp"
+#include "physics/time_step.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+#include "sim/schedule.hpp"
+
+namespace pmr::cli {
+namespace {
+
+// Measured on two cores of a 2023 server, small and full rig; for a forecast to a factor of two.
+constexpr double particle_steps_per_second = 8e6;  // [1/s]
+constexpr double react_seconds_per_particle = 0.02;  // [s] of 30 minutes of reaction
+
+std::string grouped(std::size_t value) {
+  std::string text = std::to_string(value);
+  for (auto k = static_cast<std::ptrdiff_t>(text.size()) - 3; k > 0; k -= 3)
+    text.insert(static_cast<std::size_t>(k), ",");
+  return text;
+}
+
+std::size_t print_species(const Case& c) {
+  std::size_t total = 0;
+  for (const Species& species : c.species) {
+    const Material& material = c.materials.list[species.material];
+    const double r = 0.5 * species.diameter;
+    const double mass = material.density * 4.0 / 3.0 * pi * r * r * r;
+    fmt::print("{:12} {:>9} particles of {:.4g} mm, {:.6g} kg in all, {:.1f} degC", species.name,
+               grouped(species.count), 1e3 * species.diameter,
+               static_cast<double>(species.count) * mass,
+               species.initial_temperature - zero_celsius);
+    if (material.redox) fmt::print(", delta {:.4f}", coupling::initial_delta(c, species));
+    fmt::print("\n");
+    total += species.count;
+  }
+  fmt::print("{:12} {:>9} particles\n", "total", grouped(total));
+  return total;
+}
+
+void print_forecast(const Case& c, std::size_t particles, double step) {
+  const double moving = (c.fill ? c.fill->duration : 0.0) + (c.mix ? c.mix->duration : 0.0);
+  const double steps = moving / step;
+  const double seconds = steps * static_cast<double>(particles) / particle_steps_per_second +
+                         (c.react && sim::has_heat(c)
+                              ? react_seconds_per_particle * static_cast<double>(particles)
+                              : 0.0);
+  const double frames =
+      moving / c.output.snapshot_interval + static_cast<double>(c.output.snapshot_times.size());
+  fmt::print("forecast     at most {} steps, {:.2g} min on two cores, {:.2g} MB of output\n",
+             grouped(static_cast<std::size_t>(steps)), seconds / 60.0,
+             1e-6 * frames * static_cast<double>(particles) * 60.0);
+}
+
+}  // namespace
+
+int check(const std::filesystem::path& case_file, const std::vector<std::string>& sets) {
+  const Case c = casefile::load_case(case_file, sets);
+  auto faults = physics::insertion_faults(c);
+  for (Fault& fault : faults)
+    if (fault.where.empty()) fault.where = case_file.string();
+  if (!faults.empty()) throw CaseError(std::move(faults));
+
+  fmt::print("{}\n", c.title);
+  const std::size_t particles = print_species(c);
+  const auto step = physics::time_step(c);
+  fmt::print("time step    {:.4g} us = {:.1f} % of Rayleigh (smallest {:.4g} us, {})\n",
+             1e6 * step.step, 100.0 * step.fraction, 1e6 * step.smallest_rayleigh, step.species);
+  fmt::print("contact      {:.0f} steps in a Hertz contact at 1 m/s\n",
+             step.hertz_contact_time / step.step);
+  const auto nodes = coupling::number_nodes(c, particles);
+  fmt::print("walls        {} bodies, {} surfaces, {} heat patches, {} wall cells\n",
+             c.walls.bodies.size(), c.walls.surfaces.size(), nodes.patches.size(), nodes.cells);
+  const auto assumed = std::count_if(c.provenance.begin(), c.provenance.end(),
+                                     [](const Provenance& p) { return p.mark == 'A'; });
+  fmt::print("sources      {} figures of the case, {} of them assumed\n", c.provenance.size(),
+             assumed);
+  print_forecast(c, particles, step.step);
+  return done;
+}
+
+}  // namespace pmr::cli

@@ -1,0 +1,112 @@
+#include "cli/console.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "cli/verbs.hpp"
+#include "pmr/base/errors.hpp"
+#include "version.hpp"
+
+namespace pmr::cli {
+namespace {
+
+std::string typed(int argc, char** argv) {
+  std::string line = "pmr";
+  for (int k = 1; k < argc; ++k) line += std::string(" ") + argv[k];
+  return line;
+}
+
+// All options of all verbs; `action` is what the parsed verb wants done.
+struct Parser {
+  CLI::App app{"Particle Mix Reactor: mixing, heat and oxygen release of granular beds"};
+  RunOptions run_options;
+  RenderOptions render_options;
+  std::vector<std::filesystem::path> folders;
+  std::filesystem::path html;
+  bool json = false;
+  std::function<int()> action;
+
+  explicit Parser(const std::string& command) {
+    app.set_version_flag("--version", std::string("pmr ") + pmr_version + " (" + pmr_git + ")");
+    app.require_subcommand(1);
+    run_options.command = command;
+    add_run();
+    add_looks();
+  }
+
+  void add_run() {
+    auto* run_verb = app.add_subcommand("run", "run a case: the whole chain, then its report");
+    run_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
+    run_verb->add_option("-o,--output", run_options.folder, "run folder [out/<case>]");
+    run_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
+        ->expected(1)->take_all();
+    run_verb->add_option("--threads", run_options.threads, "threads [all cores]")
+        ->check(CLI::Range(0, 1024));
+    run_verb->callback([this] { action = [this] { return run(run_options); }; });
+
+    auto* resume_verb = app.add_subcommand("resume", "go on from a run's last checkpoint");
+    resume_verb->add_option("DIR", run_options.folder, "run folder")->required();
+    resume_verb->add_option("--threads", run_options.threads, "threads [all cores]")
+        ->check(CLI::Range(0, 1024));
+    resume_verb->callback([this] {
+      action = [this] {
+        return resume(run_options.folder, run_options.threads, run_options.command);
+      };
+    });
+
+    auto* check_verb = app.add_subcommand("check", "validate a case, print derived figures");
+    check_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
+    check_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
+        ->expected(1)->take_all();
+    check_verb->callback([this] {
+      action = [this] { return check(run_options.case_file, run_options.sets); };
+    });
+  }
+
+  void add_looks() {
+    auto* analyse_verb = app.add_subcommand("analyse", "read the instruments again on a run");
+    analyse_verb->add_option("DIR", run_options.folder, "run folder")->required();
+    analyse_verb->callback([this] { action = [this] { return analyse(run_options.folder); }; });
+
+    auto* report_verb = app.add_subcommand("report", "one HTML page of one run, or of several");
+    report_verb->add_option("DIR", folders, "run folders")->required();
+    report_verb->add_option("-o,--output", html, "HTML file [DIR/report.html]");
+    report_verb->callback([this] { action = [this] { return report(folders, html); }; });
+
+    auto* render_verb = app.add_subcommand("render", "a picture of the bed, cut open");
+    render_verb->add_option("DIR", render_options.folder, "run folder")->required();
+    render_verb->add_option("--time", render_options.time, "time in s [the last snapshot]");
+    render_options.colour = "temperature";
+    render_verb->add_option("--colour", render_options.colour, "temperature, delta or species")
+        ->check(CLI::IsMember({"temperature", "delta", "species"}));
+    render_verb->add_option("-o,--output", render_options.png, "PNG file")->required();
+    render_verb->callback([this] { action = [this] { return render(render_options); }; });
+
+    auto* verify_verb = app.add_subcommand("verify", "check physics against laws and publications");
+    verify_verb->add_flag("--json", json, "as JSON");
+    verify_verb->callback([this] { action = [this] { return verify(json); }; });
+  }
+};
+
+}  // namespace
+
+int console(int argc, char** argv) {
+  Parser parser(typed(argc, argv));
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return parser.app.exit(error) == 0 ? done : wrong_input;
+  }
+  try {
+    return parser.action();
+  } catch (const CaseError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return wrong_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "pmr: %s\n", error.what());
+    return failed;
+  }
+}
+
+}  // namespace pmr::cli

@@ -1,0 +1,82 @@
+#include "cli/finish.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/console.hpp"
+#include "cli/log.hpp"
+#include "cli/machine.hpp"
+#include "instruments/bed.hpp"
+#include "instruments/course.hpp"
+#include "io/run_file.hpp"
+#include "pmr/base/constants.hpp"
+#include "report/report.hpp"
+#include "sim/ledger.hpp"
+#include "sim/schedule.hpp"
+#include "sim/summary.hpp"
+
+namespace pmr::cli {
+namespace {
+
+void summarise(const sim::Simulation& simulation, const RunRecord& record,
+               const std::string& status) {
+  auto provenance = record.provenance;
+  provenance["state_hash"] = hexadecimal(io::state_hash(simulation.state()));
+  sim::write_summary(record.folder, {simulation.setup(), simulation.state(), simulation.nodes(),
+                                     simulation.timings(), simulation.time_step(), status,
+                                     provenance});
+}
+
+void print_headline(const sim::Simulation& simulation, const sim::Balance& balance) {
+  const State& state = simulation.state();
+  const auto& species = simulation.setup().species;
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    const auto figures =
+        instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s));
+    log_info(fmt::format("{:8} {:6} particles, {:.1f} degC (+- {:.1f} K)", species[s].name,
+                         figures.count, figures.temperature.mean - zero_celsius,
+                         figures.temperature.deviation));
+  }
+  if (simulation.setup().models.reaction)
+    log_info(fmt::format("oxygen   {:.6g} mol released, {:.4g} kJ of reaction heat",
+                         state.fluxes.oxygen_released, 1e-3 * state.fluxes.reaction));
+  if (sim::has_heat(simulation.setup()))
+    log_info(fmt::format("books    energy {:.1e}, oxygen {:.1e}, particles {} in, {} alive, {} lost",
+                         balance.energy_relative, balance.oxygen_relative, balance.inserted,
+                         balance.alive, balance.lost));
+  log_info("state    " + hexadecimal(io::state_hash(state)));
+}
+
+}  // namespace
+
+int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::Ending ending) {
+  const sim::Balance balance = sim::close_books(simulation.setup(), simulation.state());
+  const bool closes = !sim::has_heat(simulation.setup()) || balance.closes();
+  const bool completed = ending == sim::Ending::completed;
+  summarise(simulation, record, !closes ? "failed" : completed ? "completed" : "stopped");
+  const io::Series series = io::read_series(record.folder);
+  instruments::write_instruments(record.folder, simulation.setup(), series,
+                                 simulation.state().particles);
+  print_headline(simulation, balance);
+  report::write_report({record.folder}, record.folder / "report.html");
+  log_info("report   " + (record.folder / "report.html").string());
+  if (!closes) {
+    log_error(fmt::format("the books do not close: energy {:.2e} (limit {:.0e}), oxygen {:.2e} "
+                          "(limit {:.0e}); see balances in summary.json",
+                          balance.energy_relative, sim::energy_limit, balance.oxygen_relative,
+                          sim::oxygen_limit));
+    return failed;
+  }
+  if (completed) return done;
+  log_info("interrupted; go on with: pmr resume " + record.folder.string());
+  return interrupted;
+}
+
+int finish_failed(const sim::Simulation& simulation, const RunRecord& record,
+                  const std::string& why) {
+  log_error(why);
+  summarise(simulation, record, "failed");
+  log_info("the last checkpoint stands; see it again with: pmr resume " + record.folder.string());
+  return failed;
+}
+
+}  // namespace pmr::cli

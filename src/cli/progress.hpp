@@ -1,0 +1,27 @@
+// A line that tells how far a run is: phase, time, temperatures, how long it will take.
+#pragma once
+#include <string>
+
+#include "pmr/base/timer.hpp"
+#include "sim/simulation.hpp"
+
+namespace pmr::cli {
+
+// On a terminal one line that is rewritten; in a log file a line every ten seconds.
+class Progress {
+ public:
+  Progress();
+  void show(const sim::Simulation& simulation);
+  void finish() const;  // leaves the line standing
+
+ private:
+  std::string line(const sim::Simulation& simulation) const;
+
+  bool is_terminal_;
+  Stopwatch total_, phase_clock_, since_shown_;
+  Phase phase_ = Phase::done;
+  double phase_start_ = 0.0;   // [1] part of the phase that was done when first seen
+  bool shown_ = false;
+};
+
+}  // namespace pmr::cli

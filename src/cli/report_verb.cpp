@@ -1,0 +1,53 @@
+// pmr report, pmr render, pmr analyse: looks at finished runs.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "case/case.hpp"
+#include "cli/console.hpp"
+#include "cli/machine.hpp"
+#include "cli/verbs.hpp"
+#include "coupling/nodes.hpp"
+#include "instruments/course.hpp"
+#include "io/run_file.hpp"
+#include "physics/time_step.hpp"
+#include "pmr/base/errors.hpp"
+#include "report/report.hpp"
+#include "sim/summary.hpp"
+
+namespace pmr::cli {
+
+namespace fs = std::filesystem;
+
+int report(const std::vector<fs::path>& folders, fs::path html) {
+  if (html.empty()) html = folders.size() == 1 ? folders.front() / "report.html" : "compare.html";
+  report::write_report(folders, html);
+  fmt::print("{}\n", html.string());
+  return done;
+}
+
+int render(const RenderOptions& options) {
+  const auto colour = options.colour == "delta"     ? report::Colour::delta
+                      : options.colour == "species" ? report::Colour::species
+                                                    : report::Colour::temperature;
+  report::render_picture(options.folder, options.time, colour, options.png);
+  fmt::print("{}\n", options.png.string());
+  return done;
+}
+
+int analyse(const fs::path& folder) {
+  const io::RunHeader header = io::read_header(folder);
+  const Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  const State state = io::load_checkpoint(folder);
+  instruments::write_instruments(folder, c, io::read_series(folder), state.particles);
+  auto provenance = header.provenance;
+  provenance["state_hash"] = hexadecimal(io::state_hash(state));
+  const std::string status = state.phase == Phase::done ? "completed" : "stopped";
+  sim::write_summary(folder / "instruments",
+                     {c, state, coupling::number_nodes(c, state.opening.particles), Timings{},
+                      physics::time_step(c).step, status, provenance});
+  fmt::print("{}\n", (folder / "instruments").string());
+  return done;
+}
+
+}  // namespace pmr::cli

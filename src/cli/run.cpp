@@ -1,0 +1,112 @@
+// pmr run, pmr resume.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <system_error>
+
+#include "case/case.hpp"
+#include "cli/console.hpp"
+#include "cli/finish.hpp"
+#include "cli/log.hpp"
+#include "cli/machine.hpp"
+#include "cli/progress.hpp"
+#include "cli/verbs.hpp"
+#include "io/run_file.hpp"
+#include "physics/insertion.hpp"
+#include "pmr/base/errors.hpp"
+#include "pmr/base/parallel.hpp"
+
+namespace pmr::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_wanted{false};
+
+// The first Ctrl-C asks for a checkpoint, the second ends the process.
+void on_signal(int signal) {
+  stop_wanted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& problem) {
+  throw CaseError({{folder.string(), "", problem}});
+}
+
+// An empty or new folder, or one that holds an earlier run, which is replaced.
+void prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder) && !fs::is_directory(folder)) refuse(folder, "is not a folder");
+  const bool used = fs::exists(folder) && !fs::is_empty(folder, error);
+  if (used && !fs::exists(folder / "run.h5"))
+    refuse(folder, "holds files that are no run of pmr; name another output folder");
+  const bool made = fs::create_directories(folder, error);
+  if (error) refuse(folder, "cannot be made: " + error.message());
+  const fs::path probe = folder / ".write-test";
+  if (!std::ofstream(probe)) {
+    if (made) fs::remove(folder, error);
+    refuse(folder, "is not writable");
+  }
+  fs::remove(probe, error);
+  for (const char* old : {"run.h5", "run.xdmf", "checkpoint.h5", "summary.json", "report.html",
+                          "log.txt", "instruments"})
+    fs::remove_all(folder / old, error);
+}
+
+int carry_out(sim::Simulation& simulation, const RunRecord& record) {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  Progress progress;
+  try {
+    const sim::Ending ending = simulation.run(
+        stop_wanted, [&](const sim::Simulation& now) { progress.show(now); });
+    progress.finish();
+    return finish_run(simulation, record, ending);
+  } catch (const NumericsError& error) {
+    progress.finish();
+    return finish_failed(simulation, record, error.what());
+  }
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const Case c = casefile::load_case(options.case_file, options.sets);
+  if (auto faults = physics::insertion_faults(c); !faults.empty()) {
+    for (Fault& fault : faults)
+      if (fault.where.empty()) fault.where = options.case_file.string();
+    throw CaseError(std::move(faults));
+  }
+  const fs::path folder =
+      options.folder.empty() ? fs::path("out") / options.case_file.stem() : options.folder;
+  prepare_folder(folder);
+  const ThreadLimit limit(options.threads);
+  open_log(folder);
+  log_info(fmt::format("{}: {}", options.case_file.string(), c.title));
+  const RunRecord record{folder, provenance(options.command, c.text)};
+  io::RunHeader header{c.text, record.provenance, {}, {}};
+  for (const Species& species : c.species) header.species.push_back(species.name);
+  for (const auto& patch : coupling::number_nodes(c, 0).patches)
+    header.patches.push_back(patch.name);
+  io::create_run(folder, header);
+  sim::Simulation simulation(c, folder);
+  return carry_out(simulation, record);
+}
+
+int resume(const fs::path& folder, int threads, const std::string& command) {
+  if (!io::has_checkpoint(folder)) refuse(folder, "holds no checkpoint to go on from");
+  const io::RunHeader header = io::read_header(folder);
+  const Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  State state = io::load_checkpoint(folder);
+  io::drop_after(folder, state.time);
+  const ThreadLimit limit(threads);
+  open_log(folder);
+  log_info(fmt::format("{}: goes on from t = {:.6g} s", c.title, state.time));
+  const RunRecord record{folder, provenance(command, c.text)};
+  sim::Simulation simulation(c, folder, std::move(state));
+  return carry_out(simulation, record);
+}
+
+}  // namespace pmr::cli

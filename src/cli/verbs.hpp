@@ -1,0 +1,35 @@
+// The verbs of `pmr`, one file each. All throw CaseError or NumericsError; console.cpp turns them
+// into messages and exit statuses.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pmr::cli {
+
+struct RunOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path folder;     // empty: out/<name of the case file>
+  std::vector<std::string> sets;    // key=value
+  int threads = 0;                  // 0: all cores
+  std::string command;              // as typed, for the record
+};
+int run(const RunOptions& options);
+int resume(const std::filesystem::path& folder, int threads, const std::string& command);
+
+int check(const std::filesystem::path& case_file, const std::vector<std::string>& sets);
+
+int analyse(const std::filesystem::path& folder);
+int report(const std::vector<std::filesystem::path>& folders, std::filesystem::path html);
+
+struct RenderOptions {
+  std::filesystem::path folder, png;
+  std::optional<double> time;  // [s]; none: the last snapshot
+  std::string colour;          // "temperature", "delta" or "species"
+};
+int render(const RenderOptions& options);
+
+int verify(bool json);
+
+}  // namespace pmr::cli

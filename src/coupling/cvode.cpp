@@ -1,0 +1,190 @@
+#include "coupling/cvode.hpp"
+
+#include <cvodes/cvodes.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+
+#include "pmr/base/errors.hpp"
+
+namespace pmr::coupling {
+namespace {
+
+// Part of the tolerance left to Newton's residual [1]. CVODES' own 0.1 keeps the solution; the
+// books ask for more, since residuals add up over steps and unknowns.
+constexpr double newton_part = 1e-3;
+
+constexpr int krylov_space = 30;  // vectors kept by SPGMR; no restart needed in practice
+
+using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
+
+Vector make_vector(std::vector<double>& data, SUNContext context) {
+  return {N_VMake_Serial(static_cast<sunindextype>(data.size()), data.data(), context),
+          N_VDestroy};
+}
+
+Out view(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
+}
+
+// What the C callbacks see. An exception is kept and rethrown once C has returned.
+struct Frame {
+  const OdeProblem& problem;
+  std::exception_ptr thrown;
+
+  // 0 done, 1 recoverable, -1 give up.
+  template <class Call>
+  int guard(const Call& call) {
+    try {
+      return call() ? 0 : 1;
+    } catch (...) {
+      thrown = std::current_exception();
+      return -1;
+    }
+  }
+};
+
+Frame& frame_of(void* data) { return *static_cast<Frame*>(data); }
+
+int rate(realtype t, N_Vector y, N_Vector ydot, void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.rate(t, view(y), view(ydot)); });
+}
+
+int weigh(N_Vector y, N_Vector weight, void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.weigh(view(y), view(weight)), true; });
+}
+
+int quadrature(realtype t, N_Vector y, N_Vector qdot, void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.quadrature(t, view(y), view(qdot)); });
+}
+
+int linearise(realtype t, N_Vector y, N_Vector, void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.linearise(t, view(y)), true; });
+}
+
+int product(N_Vector v, N_Vector jv, realtype, N_Vector, N_Vector, void* data, N_Vector) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.product(view(v), view(jv)), true; });
+}
+
+int prepare(realtype t, N_Vector y, N_Vector, booleantype, booleantype* renewed, realtype gamma,
+            void* data) {
+  Frame& f = frame_of(data);
+  *renewed = SUNTRUE;
+  return f.guard([&] {
+    f.problem.linearise(t, view(y));
+    f.problem.prepare(gamma);
+    return true;
+  });
+}
+
+int precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
+                 void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return f.problem.precondition(view(r), view(z)), true; });
+}
+
+void silence(int, const char*, const char*, char*, void*) {}
+
+// The worst component of the last step, for the message of a failure.
+std::string worst_component(void* solver, N_Vector like) {
+  N_Vector error = N_VClone(like), weight = N_VClone(like);
+  CVodeGetEstLocalErrors(solver, error);
+  CVodeGetErrWeights(solver, weight);
+  std::size_t worst = 0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < view(error).size(); ++k) {
+    const double weighted = std::abs(view(error)[k] * view(weight)[k]);
+    if (weighted > largest) {
+      largest = weighted;
+      worst = k;
+    }
+  }
+  N_VDestroy(error);
+  N_VDestroy(weight);
+  return fmt::format("unknown {} with a weighted error of {:.3g}", worst, largest);
+}
+
+// CVODES memory with its linear solver, set up for one problem.
+class Solver {
+ public:
+  Solver(Frame& frame, N_Vector y, double t0, SUNContext context)
+      : memory_(CVodeCreate(CV_BDF, context)),
+        linear_(SUNLinSol_SPGMR(y, SUN_PREC_RIGHT, krylov_space, context)) {
+    require(CVodeInit(memory_, rate, t0, y), "CVodeInit");
+    require(CVodeSetErrHandlerFn(memory_, silence, nullptr), "CVodeSetErrHandlerFn");
+    require(CVodeSetUserData(memory_, &frame), "CVodeSetUserData");
+    require(CVodeWFtolerances(memory_, weigh), "CVodeWFtolerances");
+    require(CVodeSetNonlinConvCoef(memory_, newton_part), "CVodeSetNonlinConvCoef");
+    require(CVodeSetMaxNumSteps(memory_, 100'000), "CVodeSetMaxNumSteps");
+    require(CVodeSetMaxErrTestFails(memory_, 20), "CVodeSetMaxErrTestFails");
+    require(CVodeSetMaxConvFails(memory_, 30), "CVodeSetMaxConvFails");
+    require(CVodeSetLinearSolver(memory_, linear_, nullptr), "CVodeSetLinearSolver");
+    require(CVodeSetJacTimes(memory_, linearise, product), "CVodeSetJacTimes");
+    require(CVodeSetPreconditioner(memory_, prepare, precondition), "CVodeSetPreconditioner");
+  }
+  ~Solver() {
+    CVodeFree(&memory_);
+    SUNLinSolFree(linear_);
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  void* get() const { return memory_; }
+  static void require(int flag, const char* what) {
+    if (flag < 0) throw NumericsError(fmt::format("CVODES: {} failed with flag {}", what, flag));
+  }
+
+ private:
+  void* memory_;
+  SUNLinearSolver linear_;
+};
+
+OdeResult statistics(void* solver, std::vector<double> quadratures) {
+  OdeResult result;
+  result.quadrature = std::move(quadratures);
+  CVodeGetLastStep(solver, &result.last_step);
+  CVodeGetNumSteps(solver, &result.steps);
+  CVodeGetNumRhsEvals(solver, &result.rate_calls);
+  CVodeGetNumNonlinSolvIters(solver, &result.newton);
+  CVodeGetNumLinIters(solver, &result.krylov);
+  return result;
+}
+
+}  // namespace
+
+OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0, double t1,
+                    double first_step) {
+  const sundials::Context context;
+  Frame frame{problem, nullptr};
+  std::vector<double> integral(problem.quadratures, 0.0);
+  const Vector y_vector = make_vector(y, context);
+  const Vector integral_vector = make_vector(integral, context);
+
+  const Solver solver(frame, y_vector.get(), t0, context);
+  Solver::require(CVodeQuadInit(solver.get(), quadrature, integral_vector.get()), "CVodeQuadInit");
+  Solver::require(CVodeSetStopTime(solver.get(), t1), "CVodeSetStopTime");
+  if (first_step > 0.0) CVodeSetInitStep(solver.get(), std::min(first_step, t1 - t0));
+
+  double t = t0;
+  const int flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
+  if (frame.thrown) std::rethrow_exception(frame.thrown);
+  if (flag < 0)
+    throw NumericsError(fmt::format("heat and reaction network: {} at t = {:.6g} s; {}",
+                                    CVodeGetReturnFlagName(flag), t,
+                                    worst_component(solver.get(), y_vector.get())));
+  Solver::require(CVodeGetQuad(solver.get(), &t, integral_vector.get()), "CVodeGetQuad");
+  return statistics(solver.get(), std::move(integral));
+}
+
+}  // namespace pmr::coupling

@@ -1,0 +1,38 @@
+// Stiff integration by CVODES (SUNDIALS): BDF of variable order, Newton, SPGMR with the caller's
+// Jacobian product and preconditioner, quadratures by the same BDF formula. SUNDIALS stays in
+// cvode.cpp; no exception crosses its C frames.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace pmr::coupling {
+
+using In = std::span<const double>;
+using Out = std::span<double>;
+
+// y' = f(t, y), q' = g(t, y). A callback that returns false asks for a smaller step.
+struct OdeProblem {
+  std::function<bool(double t, In y, Out rate)> rate;
+  std::function<bool(double t, In y, Out rate)> quadrature;
+  std::function<void(double t, In y)> linearise;        // fixes J(y) for `product` and `prepare`
+  std::function<void(In v, Out jv)> product;            // J v
+  std::function<void(double gamma)> prepare;            // P = I - gamma J, approximately
+  std::function<void(In r, Out z)> precondition;        // z = P^-1 r
+  std::function<void(In y, Out weight)> weigh;          // 1/tolerance of each unknown
+  std::size_t quadratures = 0;                          // [1] length of q
+};
+
+struct OdeResult {
+  std::vector<double> quadrature;  // [unit of q] integral over [t0, t1]
+  double last_step = 0.0;          // [s]
+  long steps = 0, rate_calls = 0, newton = 0, krylov = 0;
+};
+
+// Integrates y in place from t0 to t1 [s]; first_step 0 lets CVODES choose. NumericsError when it
+// cannot, with the component of the largest weighted error.
+OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0, double t1,
+                    double first_step);
+
+}  // namespace pmr::coupling

@@ -1,0 +1,112 @@
+#include "coupling/flux_rates.hpp"
+
+#include <cmath>
+
+#include "chemistry/redox.hpp"
+#include "pmr/base/parallel.hpp"
+
+namespace pmr::coupling {
+namespace {
+
+enum class Kind { inert, redox, wall, surroundings, gas };
+
+Kind kind_of(const System& system, std::size_t node) {
+  const Nodes& nodes = *system.nodes;
+  if (node < nodes.particles)
+    return system.solid[node].material != nullptr && system.solid[node].material->redox
+               ? Kind::redox
+               : Kind::inert;
+  if (node < nodes.surroundings()) return Kind::wall;
+  return node == nodes.surroundings() ? Kind::surroundings : Kind::gas;
+}
+
+// Heat `q` [W] from node a to node b by one path, put where the books want it.
+struct Sorter {
+  const System& system;
+  Fluxes rates{};
+
+  void add(std::size_t a, std::size_t b, double q, double& path) {
+    Kind from = kind_of(system, a), to = kind_of(system, b);
+    if (from == Kind::redox && to == Kind::inert) path -= q;
+    if (from == Kind::inert && to == Kind::redox) path += q;
+    const bool from_particle = from == Kind::inert || from == Kind::redox;
+    if (from_particle && to == Kind::wall) rates.to_walls += q;
+    if (system.stores[a] != 0 && system.stores[b] == 0) leave(to, q);
+    if (system.stores[b] != 0 && system.stores[a] == 0) leave(from, -q);
+  }
+
+ private:
+  void leave(Kind reservoir, double q) {
+    (reservoir == Kind::wall ? rates.to_outside : rates.to_surroundings) += q;
+  }
+};
+
+void add_links(const System& system, const Evaluation& at, Sorter& sorter) {
+  for (const HeatLink& link : system.links) {
+    const double fall = at.temperature[link.a] - at.temperature[link.b];
+    sorter.add(link.a, link.b, link.contact * fall, sorter.rates.contact);
+    sorter.add(link.a, link.b, link.gap * fall, sorter.rates.gap);
+  }
+}
+
+void add_radiation(const System& system, const Evaluation& at, Sorter& sorter) {
+  if (system.exchange == nullptr) return;
+  for (std::size_t a = 0; a < system.exchange->rows(); ++a) {
+    const auto columns = system.exchange->columns(a);
+    const auto factors = system.exchange->values(a);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      if (columns[k] > a)
+        sorter.add(a, columns[k], factors[k] * (at.emission[a] - at.emission[columns[k]]),
+                   sorter.rates.radiation);
+  }
+}
+
+void add_walls(const System& system, const Evaluation& at, Fluxes& rates) {
+  for (const WallProfile& wall : system.profiles) {
+    const std::size_t last = wall.conductance.size() - 1;
+    rates.to_outside += wall.area * wall.conductance[last] *
+                        (at.wall_temperature[wall.first_cell + last] -
+                         system.nodes->columns[wall.surface].outside_temperature);
+  }
+}
+
+void add_reaction(const System& system, const Evaluation& at, std::span<const double> y,
+                  Fluxes& rates) {
+  for (std::size_t k = 0; k < system.reactants.size(); ++k) {
+    const Reactant& grain = system.reactants[k];
+    const auto& equilibrium = system.solid[grain.id].material->redox->equilibrium;
+    const double release = at.release[k];
+    rates.oxygen_released += release;
+    rates.reaction += 2.0 * release *
+                      chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
+    if (system.closed) continue;
+    rates.oxygen_to_air += release;
+    rates.gas_energy_out +=
+        release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
+  }
+}
+
+void add_gas(const GasRates& gas, Fluxes& rates) {
+  rates.oxygen_pumped += gas.oxygen_pumped;
+  rates.nitrogen_pumped += gas.nitrogen_pumped;
+  rates.oxygen_leaked += gas.oxygen_leaked;
+  rates.nitrogen_leaked += gas.nitrogen_leaked;
+  rates.gas_energy_out += gas.energy_pumped;
+  rates.gas_energy_in += gas.energy_leaked;
+}
+
+}  // namespace
+
+Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const double> y) {
+  Sorter sorter{system};
+  add_links(system, at, sorter);
+  add_radiation(system, at, sorter);
+  add_walls(system, at, sorter.rates);
+  add_reaction(system, at, y, sorter.rates);
+  if (system.closed) add_gas(at.gas, sorter.rates);
+  sorter.rates.heat_exchanged = parallel_sum(
+      system.nodes->particles, [&](std::size_t id) { return std::abs(at.heat[id]); });
+  return sorter.rates;
+}
+
+}  // namespace pmr::coupling

@@ -1,0 +1,10 @@
+// Rates of every flux of the books at one evaluation: sums of their own over links, factors and
+// boundaries, never differences of what is stored.
+#pragma once
+#include "coupling/system.hpp"
+
+namespace pmr::coupling {
+
+Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const double> y);
+
+}  // namespace pmr::coupling

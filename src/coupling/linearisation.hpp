@@ -1,0 +1,65 @@
+// The Jacobian of the network as a product and as a preconditioner.
+//
+// J v is exact but for the 3 x 3 block of the gas, which is a central difference of gas_rates().
+// The preconditioner P ~ I - gamma J keeps, per particle, the 2 x 2 block of (enthalpy, delta) with
+// the diagonal of the heat network, per wall its tridiagonal column, and couples the gas to every
+// particle by a 3 x 3 Schur complement: the pressure answers all granules at once.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "coupling/system.hpp"
+#include "pmr/base/vec3.hpp"
+
+namespace pmr::coupling {
+
+class Linearisation {
+ public:
+  explicit Linearisation(const System& system);
+
+  void fix(double t, std::span<const double> y, Evaluation& at);  // J at (t, y)
+  void product(std::span<const double> v, std::span<double> jv) const;
+  void prepare(double gamma);  // [s] factorises P at the fixed point
+  void precondition(std::span<const double> r, std::span<double> z) const;
+
+ private:
+  // Slopes of one reactant's release n [mol/s], of temperature and enthalpy.
+  struct Reaction {
+    double release, by_T, by_delta, by_pressure;  // n, dn/dT, dn/d(delta), dn/dp
+    double oxygen_heat, oxygen_capacity;          // h_O2 [J/mol], c_O2 [J/mol/K]
+    double delta_slope;                           // dH/d(delta) at constant T [J]
+    double iron;                                  // [mol]
+    std::uint32_t id;
+  };
+  struct Block {
+    double a, b, c, d;  // rows of the inverse of the 2 x 2 block
+  };
+  using Mat32 = Eigen::Matrix<double, 3, 2>;
+
+  void fix_gas(double t, std::span<const double> y);
+  void temperature_changes(std::span<const double> v, std::vector<double>& change) const;
+  double heat_change(std::size_t node, const std::vector<double>& change) const;
+  void wall_product(const std::vector<double>& heat, std::span<const double> v,
+                    std::span<double> jv) const;
+  Mat32 gas_slopes(const Reaction& r) const;  // d(n_O2, n_N2, U rates)/d(H, delta)
+  void factor_particles(double gamma);
+  void factor_walls(double gamma);
+  void factor_gas(double gamma);
+
+  const System& system_;
+  std::vector<double> conduction_sum_, exchange_sum_;  // [W/K], [m2] row sums by node
+  std::vector<double> emission_slope_;                 // [W/m2/K] 4 sigma T^3 by node
+  std::vector<double> capacity_;                       // [J/K] by particle id
+  std::vector<double> cell_capacity_;                  // [J/K] by wall cell
+  std::vector<Reaction> reactions_;
+  Mat3 gas_jacobian_ = Mat3::Zero();    // of the gas alone, by (n_O2, n_N2, U)
+  Vec3 temperature_row_ = Vec3::Zero();  // dT_gas/d(n_O2, n_N2, U)
+  Vec3 pressure_row_ = Vec3::Zero();     // dpO2/d(n_O2, n_N2, U)
+  double gamma_ = 0.0;                   // [s]
+  std::vector<double> particle_pivot_;   // [1] of particles that do not react, by id
+  std::vector<Block> blocks_;            // by reactant
+  std::vector<double> wall_lower_, wall_pivot_, wall_upper_;  // LU of the columns, by cell
+  Mat3 gas_inverse_ = Mat3::Identity();  // of the Schur complement
+};
+
+}  // namespace pmr::coupling

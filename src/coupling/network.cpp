@@ -1,0 +1,106 @@
+#include "coupling/network.hpp"
+
+#include <cmath>
+
+#include "coupling/cvode.hpp"
+#include "coupling/flux_rates.hpp"
+#include "coupling/linearisation.hpp"
+#include "coupling/system.hpp"
+#include "coupling/thermal_state.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+
+namespace pmr::coupling {
+namespace {
+
+// Absolute tolerances: a temperature's times the heat capacity, a delta's, and for the gas what the
+// relative tolerance leaves of 1 Pa.
+std::vector<double> tolerances(const Case& c, const System& system, std::span<const double> y,
+                               const Evaluation& at) {
+  const NetworkModel& model = c.models.network;
+  std::vector<double> atol(system.size(), 1.0);
+  for (std::size_t id = 0; id < system.solid.size(); ++id)
+    if (system.stores[id] != 0)
+      atol[id] = model.temperature_tolerance *
+                 chemistry::heat_capacity(system.solid[id], at.temperature[id],
+                                          delta_of(system, y, id));
+  for (std::size_t k = 0; k < system.reactants.size(); ++k)
+    atol[system.delta_begin() + k] = model.delta_tolerance;
+  for (const WallProfile& wall : system.profiles) {
+    const auto& column = system.nodes->columns[wall.surface];
+    for (std::size_t j = 0; j < column.size(); ++j)
+      atol[system.cell_begin() + wall.first_cell + j] =
+          model.temperature_tolerance * column.capacity[j] * wall.area;
+  }
+  if (!system.closed) return atol;
+  const double pascal = system.free_volume / (gas_constant * at.gas.temperature);  // [mol/Pa]
+  atol[system.gas_begin()] = atol[system.gas_begin() + 1] = model.relative_tolerance * pascal;
+  atol[system.gas_begin() + 2] = model.relative_tolerance * system.free_volume;  // [J], U ~ p V
+  return atol;
+}
+
+// Weights 1/(rtol |y| + atol) of CVODES' root mean square norm. The gas' three unknowns stand for
+// the whole chamber and must not drown among the particles': they weigh as if they were alone.
+void weigh(const System& system, double relative, const std::vector<double>& absolute, In y,
+           Out weight) {
+  const double alone = std::sqrt(static_cast<double>(y.size()));
+  for (std::size_t k = 0; k < y.size(); ++k)
+    weight[k] = (k < system.gas_begin() ? 1.0 : alone) /
+                (relative * std::abs(y[k]) + absolute[k]);
+}
+
+std::vector<double> as_vector(Fluxes fluxes) {
+  std::vector<double> values;
+  for_each_flux(fluxes, [&](const char*, const char*, double& flux) { values.push_back(flux); });
+  return values;
+}
+
+void add(std::span<const double> integral, Fluxes& fluxes) {
+  std::size_t k = 0;
+  for_each_flux(fluxes, [&](const char*, const char*, double& flux) { flux += integral[k++]; });
+}
+
+}  // namespace
+
+NetworkWork advance_network(const Case& c, const Nodes& nodes, std::vector<HeatLink> links,
+                            double from, double until, State& state) {
+  const System system = assemble_system(c, nodes, state, std::move(links));
+  std::vector<double> y = pack(system, state);
+  if (y.empty()) return {};
+  Evaluation at;
+  if (!evaluate(system, from, y, at))
+    throw NumericsError("heat and reaction network: its state lies outside the physics at t = " +
+                        std::to_string(from) + " s");
+  Linearisation linear(system);
+
+  OdeProblem problem;
+  problem.rate = [&](double t, In now, Out rate) {
+    if (!evaluate(system, t, now, at)) return false;
+    fill_rates(system, at, rate);
+    return true;
+  };
+  problem.quadrature = [&](double t, In now, Out rate) {
+    if (!evaluate(system, t, now, at)) return false;
+    const auto values = as_vector(flux_rates(system, at, now));
+    std::copy(values.begin(), values.end(), rate.begin());
+    return true;
+  };
+  problem.linearise = [&](double t, In now) { linear.fix(t, now, at); };
+  problem.product = [&](In v, Out jv) { linear.product(v, jv); };
+  problem.prepare = [&](double gamma) { linear.prepare(gamma); };
+  problem.precondition = [&](In r, Out z) { linear.precondition(r, z); };
+  const std::vector<double> absolute = tolerances(c, system, y, at);
+  problem.weigh = [&](In now, Out weight) {
+    weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
+  };
+  problem.quadratures = as_vector({}).size();
+
+  const OdeResult result = integrate(problem, y, from, until, state.network_step);
+  unpack(system, y, state);
+  add(result.quadrature, state.fluxes);
+  renew_masses(c, state.particles);
+  state.network_step = result.last_step;
+  return {result.steps, result.rate_calls, result.newton, result.krylov};
+}
+
+}  // namespace pmr::coupling

@@ -1,0 +1,21 @@
+// Advances the heat and reaction network over one interval: T, delta, wall profiles, gas, in one
+// implicit system (CVODES), with every flux of the books integrated beside it.
+#pragma once
+#include "coupling/heat_links.hpp"
+#include "coupling/nodes.hpp"
+#include "pmr/state/case.hpp"
+#include "pmr/state/state.hpp"
+
+namespace pmr::coupling {
+
+// What one advance cost.
+struct NetworkWork {
+  long steps = 0, rate_calls = 0, newton = 0, krylov = 0;  // [1]
+};
+
+// From state.time to `until` [s]: temperatures, delta, walls, gas and fluxes change; state.time
+// stays (the caller owns the clock). NumericsError when CVODES cannot go on; state untouched then.
+NetworkWork advance_network(const Case& c, const Nodes& nodes, std::vector<HeatLink> links,
+                            double from, double until, State& state);
+
+}  // namespace pmr::coupling

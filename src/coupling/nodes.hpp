@@ -1,0 +1,47 @@
+// Numbers the nodes of the heat network, once per run: particles by id, then wall patches, then the
+// surroundings, then the gas of the chamber (or the open air before it is closed).
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "physics/wall_column.hpp"
+#include "pmr/state/case.hpp"
+#include "pmr/state/state.hpp"
+
+namespace pmr::coupling {
+
+using Node = std::uint32_t;
+
+// A piece of a surface with one face temperature.
+struct Patch {
+  std::uint32_t surface;     // index into Walls::surfaces
+  double area;               // [m2] of the facing side
+  std::string name;          // "chamber.side[3,1]"
+  std::uint32_t first_cell;  // index of its first wall cell; meaningless without a column
+};
+
+struct Nodes {
+  std::size_t particles = 0;                 // inserted
+  std::vector<Patch> patches;
+  std::vector<std::uint32_t> first_patch;    // per surface
+  std::vector<physics::WallColumn> columns;  // per surface; empty where the boundary has no profile
+  std::size_t cells = 0;                     // of all patches
+
+  Node patch(std::size_t k) const { return static_cast<Node>(particles + k); }
+  Node surroundings() const { return static_cast<Node>(particles + patches.size()); }
+  Node gas() const { return surroundings() + 1; }
+  std::size_t radiating() const { return particles + patches.size() + 1; }  // without the gas
+  std::size_t count() const { return radiating() + 1; }
+};
+
+Nodes number_nodes(const Case& c, std::size_t particles);
+
+// Local index of the patch that holds `point` [m] of the surface, in the body's frame; numbered as
+// tessellate() does.
+std::uint32_t patch_at(const Surface& surface, const Vec3& point);
+
+// Face temperature [K] of each patch; adiabatic ones have none and report NaN.
+std::vector<double> patch_temperatures(const Case& c, const Nodes& nodes, const WallNodes& walls);
+
+}  // namespace pmr::coupling

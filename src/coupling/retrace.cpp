@@ -1,0 +1,86 @@
+#include "coupling/retrace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "coupling/tessellate.hpp"
+#include "physics/motion.hpp"
+#include "pmr/base/constants.hpp"
+#include "radiation/exchange.hpp"
+
+namespace pmr::coupling {
+namespace {
+
+std::vector<radiation::Sphere> spheres_of(const Particles& p) {
+  std::vector<radiation::Sphere> spheres;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    spheres.push_back({p.position[i], p.radius[i], p.id[i]});
+  return spheres;
+}
+
+std::vector<radiation::Triangle> walls_now(const Case& c, const Nodes& nodes, double t) {
+  std::vector<radiation::Triangle> triangles;
+  for (std::size_t s = 0; s < c.walls.surfaces.size(); ++s) {
+    const Surface& surface = c.walls.surfaces[s];
+    if (!is_present(surface, t)) continue;
+    const physics::Pose pose = physics::pose(c.walls.bodies[surface.body].motion, t);
+    for (const FlatTriangle& flat : tessellate(surface, c.domain_low, c.domain_high))
+      triangles.push_back({{pose.to_world(flat.corner[0]), pose.to_world(flat.corner[1]),
+                            pose.to_world(flat.corner[2])},
+                           nodes.patch(nodes.first_patch[s] + flat.patch)});
+  }
+  return triangles;
+}
+
+// Areas by node [m2]; 0 for walls that are not there and for the surroundings.
+std::vector<double> areas_of(const Case& c, const Nodes& nodes, const State& state) {
+  std::vector<double> area(nodes.radiating(), 0.0);
+  const Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) area[p.id[i]] = 4.0 * pi * p.radius[i] * p.radius[i];
+  for (std::size_t k = 0; k < nodes.patches.size(); ++k)
+    if (is_present(c.walls.surfaces[nodes.patches[k].surface], state.time))
+      area[nodes.patch(k)] = nodes.patches[k].area;
+  return area;
+}
+
+}  // namespace
+
+std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State& state) {
+  std::vector<double> emissivity(nodes.radiating(), 0.0);
+  const Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    emissivity[p.id[i]] =
+        c.materials.list[c.species[p.species[i]].material].emissivity(p.temperature[i]);
+  const auto faces = patch_temperatures(c, nodes, state.walls);
+  for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
+    const Surface& surface = c.walls.surfaces[nodes.patches[k].surface];
+    if (!std::holds_alternative<Adiabatic>(surface.thermal))
+      emissivity[nodes.patch(k)] = c.materials.list[surface.material].emissivity(faces[k]);
+  }
+  emissivity[nodes.surroundings()] = 1.0;
+  return emissivity;
+}
+
+double emissivity_change(const Case& c, const Nodes& nodes, const State& state) {
+  if (state.exchange.emissivity.empty()) return std::numeric_limits<double>::infinity();
+  const auto now = emissivities(c, nodes, state);
+  double change = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    change = std::max(change, std::abs(now[i] - state.exchange.emissivity[i]));
+  return change;
+}
+
+Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays) {
+  const auto spheres = spheres_of(state.particles);
+  const auto triangles = walls_now(c, nodes, state.time);
+  radiation::ExchangeInput input{spheres, triangles, emissivities(c, nodes, state),
+                                 areas_of(c, nodes, state),
+                                 static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
+                                 state.interval};
+  Exchange exchange = radiation::trace_exchange(input);
+  exchange.traced_at = state.time;
+  return exchange;
+}
+
+}  // namespace pmr::coupling

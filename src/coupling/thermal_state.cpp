@@ -1,0 +1,114 @@
+#include "coupling/thermal_state.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "chemistry/chamber.hpp"
+#include "chemistry/gas.hpp"
+#include "chemistry/redox.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+#include "pmr/base/parallel.hpp"
+
+namespace pmr::coupling {
+namespace {
+
+const Material& material_of(const Case& c, const Particles& particles, std::size_t i) {
+  return c.materials.list[c.species[particles.species[i]].material];
+}
+
+void begin_walls(const Nodes& nodes, WallNodes& walls) {
+  walls.cell_energy.assign(nodes.cells, 0.0);
+  for (const Patch& patch : nodes.patches) {
+    const auto& column = nodes.columns[patch.surface];
+    physics::initial_energies(column, patch.area,
+                              {walls.cell_energy.data() + patch.first_cell, column.size()});
+  }
+}
+
+}  // namespace
+
+double initial_delta(const Case& c, const Species& species) {
+  const Material& material = c.materials.list[species.material];
+  if (!material.redox) return 0.0;
+  if (const auto* given = std::get_if<double>(&species.initial_delta)) return *given;
+  const auto& at = std::get<EquilibriumDelta>(species.initial_delta);
+  return chemistry::equilibrium_delta(material.redox->equilibrium, at.temperature,
+                                      at.oxygen_pressure);
+}
+
+chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t i) {
+  return chemistry::solid_of(material_of(c, particles, i), particles.mass[i], particles.iron[i]);
+}
+
+void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
+  std::vector<double> delta;
+  for (const Species& species : c.species) delta.push_back(initial_delta(c, species));
+  Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Material& material = material_of(c, p, i);
+    p.delta[i] = delta[p.species[i]];
+    p.iron[i] = material.redox ? p.mass[i] / chemistry::molar_mass(*material.redox, p.delta[i]) : 0.0;
+    p.enthalpy[i] = chemistry::enthalpy(solid_of(c, p, i), p.temperature[i], p.delta[i]);
+  }
+  begin_walls(nodes, state.walls);
+  state.opening.energy = stored_energy(state);
+  state.opening.oxygen = bound_oxygen(c, p);
+  state.opening.particles = p.size();
+}
+
+void renew_masses(const Case& c, Particles& particles) {
+  parallel_for(particles.size(), [&](std::size_t i) {
+    const Material& material = material_of(c, particles, i);
+    if (material.redox)
+      particles.mass[i] =
+          particles.iron[i] * chemistry::molar_mass(*material.redox, particles.delta[i]);
+  });
+}
+
+double stored_energy(const State& state) {
+  const auto& enthalpy = state.particles.enthalpy;
+  const auto& cells = state.walls.cell_energy;
+  return parallel_sum(enthalpy.size(), [&](std::size_t i) { return enthalpy[i]; }) +
+         parallel_sum(cells.size(), [&](std::size_t k) { return cells[k]; }) + state.gas.energy;
+}
+
+double bound_oxygen(const Case& c, const Particles& p) {
+  return parallel_sum(p.size(), [&](std::size_t i) {
+    return material_of(c, p, i).redox ? p.iron[i] * 0.5 * (3.0 - p.delta[i]) : 0.0;
+  });
+}
+
+double gas_free_volume(const Case& c, const Particles& p) {
+  const double solids = parallel_sum(p.size(), [&](std::size_t i) {
+    return 4.0 / 3.0 * pi * p.radius[i] * p.radius[i] * p.radius[i];
+  });
+  const double free = c.chamber->volume - solids;
+  if (free <= 0.0) throw NumericsError("chamber: the particles fill its whole volume");
+  return free;
+}
+
+void close_chamber(const Case& c, State& state) {
+  ensure(c.chamber.has_value() && !state.gas.closed, "an open chamber closes once");
+  const auto air = chemistry::air_in(*c.chamber, gas_free_volume(c, state.particles));
+  state.gas.closed = true;
+  state.gas.oxygen = air.oxygen;
+  state.gas.nitrogen = air.nitrogen;
+  state.gas.energy = chemistry::internal_energy(air, c.chamber->gas_temperature);
+  state.fluxes.oxygen_closed_in += air.oxygen;
+  state.fluxes.nitrogen_closed_in += air.nitrogen;
+  state.fluxes.gas_energy_in += state.gas.energy;
+}
+
+Atmosphere atmosphere(const Case& c, const State& state) {
+  if (!c.chamber) return {standard_atmosphere, 0.21, zero_celsius + 20.0};
+  const ChamberCase& chamber = *c.chamber;
+  if (!state.gas.closed) return {chamber.pressure, chamber.oxygen_fraction, chamber.gas_temperature};
+  const chemistry::GasAmount gas{state.gas.oxygen, state.gas.nitrogen};
+  const double T = chemistry::gas_temperature(gas, state.gas.energy, chamber.gas_temperature);
+  const double volume = gas_free_volume(c, state.particles);
+  return {chemistry::gas_pressure(chemistry::total(gas), T, volume),
+          chemistry::oxygen_fraction(gas), T};
+}
+
+}  // namespace pmr::coupling

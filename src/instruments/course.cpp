@@ -1,0 +1,122 @@
+#include "instruments/course.hpp"
+
+#include <limits>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "io/series.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+
+namespace pmr::instruments {
+namespace {
+
+// A table that grows by rows.
+class TableWriter {
+ public:
+  explicit TableWriter(std::vector<std::pair<const char*, const char*>> heads) {
+    for (const auto& [name, unit] : heads) table_.columns.push_back({name, unit, {}});
+  }
+  void add_row(const std::vector<double>& row) {
+    ensure(row.size() == table_.columns.size(), "a row has a value for each column");
+    for (std::size_t c = 0; c < row.size(); ++c) table_.columns[c].values.push_back(row[c]);
+  }
+  io::Series take() { return std::move(table_); }
+
+ private:
+  io::Series table_;
+};
+
+io::Series selection(const io::Series& series, const std::vector<std::string>& names) {
+  io::Series chosen;
+  if (series.columns.empty()) return chosen;
+  chosen.columns.push_back(series.columns.front());
+  for (const std::string& name : names)
+    for (const io::Column& column : series.columns)
+      if (column.name == name) chosen.columns.push_back(column);
+  return chosen;
+}
+
+void write_selection(const std::filesystem::path& path, const io::Series& series,
+                     const std::vector<std::string>& names) {
+  const io::Series chosen = selection(series, names);
+  if (chosen.columns.size() > 1) io::write_csv(path, chosen);
+}
+
+double reference_ratio(const Decomposition& tool, std::size_t layer) {
+  return layer < tool.reference_mass_ratio.size() ? tool.reference_mass_ratio[layer]
+                                                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::filesystem::path make_folder(const std::filesystem::path& dir) {
+  std::error_code error;
+  std::filesystem::create_directories(dir, error);
+  if (error)
+    throw CaseError({Fault{dir.string(), "", "folder cannot be made: " + error.message()}});
+  return dir;
+}
+
+}  // namespace
+
+std::optional<BedSections> decompose(const Case& setup, const Particles& bed) {
+  const auto pair = beads_and_granules(setup);
+  if (!setup.decomposition || !pair) return std::nullopt;
+  return decompose(bed, *setup.decomposition, *pair);
+}
+
+io::Series layer_table(const BedSections& sections, const Decomposition& tool) {
+  TableWriter table({{"layer", "1"},
+                     {"mass", "kg"},
+                     {"thickness", "m"},
+                     {"top", "m"},
+                     {"mass_ratio", "1"},
+                     {"sector_mean_ratio", "1"},
+                     {"reference_mass_ratio", "1"}});
+  std::vector<Layer> layers = sections.layers;
+  layers.push_back(sections.residuum);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const Layer& layer = layers[k];
+    table.add_row({static_cast<double>(k + 1), layer.mass, layer.thickness(), layer.top,
+                   layer.content.mass_ratio(), layer.sector_mean_ratio(),
+                   reference_ratio(tool, k)});
+  }
+  return table.take();
+}
+
+io::Series section_table(const BedSections& sections, const Decomposition& tool) {
+  TableWriter table({{"layer", "1"},
+                     {"azimuth", "deg"},
+                     {"mass_ratio", "1"},
+                     {"bead_mass", "kg"},
+                     {"granule_mass", "kg"},
+                     {"beads", "1"},
+                     {"granules", "1"}});
+  for (std::size_t k = 0; k < sections.layers.size(); ++k)
+    for (std::size_t s = 0; s < sections.layers[k].sectors.size(); ++s) {
+      const Portion& section = sections.layers[k].sectors[s];
+      table.add_row({static_cast<double>(k + 1), sector_azimuth(tool, s) * 180.0 / pi,
+                     section.mass_ratio(), section.bead_mass, section.granule_mass,
+                     static_cast<double>(section.beads), static_cast<double>(section.granules)});
+    }
+  return table.take();
+}
+
+void write_instruments(const std::filesystem::path& dir, const Case& setup,
+                       const io::Series& series, const Particles& bed) {
+  const std::filesystem::path folder = make_folder(dir / "instruments");
+  write_selection(folder / "gauge.csv", series, {"pressure"});
+  write_selection(folder / "oxygen.csv", series,
+                  {"oxygen_pressure", "oxygen_released", "oxygen_pumped"});
+  std::vector<std::string> probes;
+  for (const Thermocouple& probe : setup.thermocouples)
+    probes.push_back("thermocouple." + probe.name);
+  write_selection(folder / "thermocouples.csv", series, probes);
+  if (const auto sections = decompose(setup, bed)) {
+    io::write_csv(folder / "decomposition.csv", layer_table(*sections, *setup.decomposition));
+    io::write_csv(folder / "sections.csv", section_table(*sections, *setup.decomposition));
+  }
+}
+
+}  // namespace pmr::instruments

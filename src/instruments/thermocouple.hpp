@@ -1,0 +1,17 @@
+// A thermocouple in the bed reads the mean temperature of the particles round its tip.
+#pragma once
+#include <cstddef>
+
+#include "pmr/state/case.hpp"
+#include "pmr/state/particles.hpp"
+
+namespace pmr::instruments {
+
+struct ThermocoupleReading {
+  double temperature;     // [K] mean over the particles; NaN only if there is no particle at all
+  std::size_t particles;  // [1] centres within the radius; 0: the nearest particle's temperature
+  double nearest;         // [m] distance of the nearest centre, infinite without particles
+};
+ThermocoupleReading read_thermocouple(const Thermocouple& probe, const Particles& particles);
+
+}  // namespace pmr::instruments

@@ -1,0 +1,74 @@
+#include "io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "pmr/base/errors.hpp"
+
+namespace pmr::io {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+  const std::string reason = std::strerror(errno);
+  throw CaseError({Fault{path.string(), "", std::string(what) + ": " + reason}});
+}
+
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& path, int flags)
+      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  bool is_open() const { return descriptor_ >= 0; }
+  bool sync() const { return ::fsync(descriptor_) == 0; }
+
+ private:
+  int descriptor_;
+};
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+Replacement::Replacement(std::filesystem::path target)
+    : target_(std::move(target)), temporary_(target_.string() + ".tmp") {
+  const Descriptor file(temporary_, O_WRONLY | O_CREAT | O_TRUNC);
+  if (!file.is_open()) fail(target_, "cannot be written");
+}
+
+Replacement::~Replacement() {
+  std::error_code ignored;
+  if (!committed_) std::filesystem::remove(temporary_, ignored);
+}
+
+void Replacement::commit() {
+  const Descriptor file(temporary_, O_RDONLY);
+  if (!file.is_open() || !file.sync()) fail(target_, "cannot be brought to the disk");
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced");
+  committed_ = true;
+  // Some file systems refuse to sync a folder; the file itself is whole either way.
+  const Descriptor folder(folder_of(target_), O_RDONLY | O_DIRECTORY);
+  if (folder.is_open()) static_cast<void>(folder.sync());
+}
+
+void replace_text(const std::filesystem::path& target, std::string_view text) {
+  Replacement replacement(target);
+  {
+    std::ofstream out(replacement.temporary(), std::ios::binary | std::ios::trunc);
+    out << text << std::flush;
+    if (!out) fail(target, "cannot be written");
+  }
+  replacement.commit();
+}
+
+}  // namespace pmr::io

@@ -1,0 +1,29 @@
+// A file that appears whole or not at all: written beside its target, made durable, renamed.
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace pmr::io {
+
+class Replacement {
+ public:
+  // Opens DIR/NAME.tmp afresh (whatever a killed run left there goes); CaseError when the folder
+  // cannot be written.
+  explicit Replacement(std::filesystem::path target);
+  ~Replacement();  // takes the temporary away unless committed
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  const std::filesystem::path& temporary() const { return temporary_; }
+  // To the disk, then renamed over the target, then the folder to the disk.
+  void commit();
+
+ private:
+  std::filesystem::path target_, temporary_;
+  bool committed_ = false;
+};
+
+// A whole text file, replaced atomically.
+void replace_text(const std::filesystem::path& target, std::string_view text);
+
+}  // namespace pmr::io

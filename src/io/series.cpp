@@ -1,0 +1,46 @@
+#include "io/series.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "io/atomic_file.hpp"
+#include "pmr/base/errors.hpp"
+
+namespace pmr::io {
+namespace {
+
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
+}  // namespace
+
+bool Series::has(const std::string& name) const {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const Column& column) { return column.name == name; });
+}
+
+const std::vector<double>& Series::values(const std::string& name) const {
+  for (const Column& column : columns)
+    if (column.name == name) return column.values;
+  throw CaseError({Fault{"series", name, "no such column was recorded"}});
+}
+
+void write_csv(const std::filesystem::path& path, const Series& series) {
+  std::string text;
+  for (std::size_t c = 0; c < series.columns.size(); ++c)
+    text += (c > 0 ? "," : "") + series.columns[c].name + " [" + series.columns[c].unit + "]";
+  text += '\n';
+  for (std::size_t row = 0; row < series.rows(); ++row) {
+    for (std::size_t c = 0; c < series.columns.size(); ++c) {
+      if (c > 0) text += ',';
+      append_number(text, series.columns[c].values.at(row));
+    }
+    text += '\n';
+  }
+  replace_text(path, text);
+}
+
+}  // namespace pmr::io

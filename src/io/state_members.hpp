@@ -1,0 +1,72 @@
+// Names every member of State once for checkpoint and hash. The structured bindings are the guard:
+// a member added to one of these structs does not compile until it is named here.
+#pragma once
+#include <string>
+
+#include "pmr/state/state.hpp"
+
+namespace pmr::io {
+
+// visit(path, unit, number or vector&) for a contact history.
+template <class C, class Visitor>
+void for_each_contact_field(C& history, Visitor&& visit) {
+  auto& [start, partner, tangential, rolling] = history;
+  visit("start", "1", start);
+  visit("partner", "1", partner);
+  visit("tangential", "m", tangential);
+  visit("rolling", "N m", rolling);
+}
+
+template <class E, class Visitor>
+void for_each_exchange_field(E& exchange, Visitor&& visit) {
+  auto& [factor, emissivity, traced_at, rays, relative_error] = exchange;
+  auto& [start, column, value] = factor;
+  visit("exchange/start", "1", start);
+  visit("exchange/column", "1", column);
+  visit("exchange/value", "m2", value);
+  visit("exchange/emissivity", "1", emissivity);
+  visit("exchange/traced_at", "s", traced_at);
+  visit("exchange/rays", "1", rays);
+  visit("exchange/relative_error", "1", relative_error);
+}
+
+template <class S, class Visitor>
+void for_each_book_field(S& state, Visitor&& visit) {
+  auto& [closed, oxygen, nitrogen, energy] = state.gas;
+  visit("gas/closed", "1", closed);
+  visit("gas/oxygen", "mol", oxygen);
+  visit("gas/nitrogen", "mol", nitrogen);
+  visit("gas/energy", "J", energy);
+  auto& [opening_energy, opening_oxygen, opening_particles] = state.opening;
+  visit("opening/energy", "J", opening_energy);
+  visit("opening/oxygen", "mol", opening_oxygen);
+  visit("opening/particles", "1", opening_particles);
+  auto& [overlap_ratio, speed] = state.extremes;
+  visit("extremes/overlap_ratio", "1", overlap_ratio);
+  visit("extremes/speed", "m s-1", speed);
+  for_each_flux(state.fluxes, [&](const char* name, const char* unit, auto& value) {
+    visit("fluxes/" + std::string(name), unit, value);
+  });
+}
+
+// All of the state but particles, contacts and lost particles, whose order needs care.
+template <class S, class Visitor>
+void for_each_ordered_field(S& state, Visitor&& visit) {
+  auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, network_step, particles,
+         pair_contacts, wall_contacts, walls, gas, exchange, fluxes, opening, extremes, lost] =
+      state;
+  visit("time", "s", time);
+  visit("phase", "1", phase);
+  visit("step", "1", step);
+  visit("interval", "1", interval);
+  visit("rest_since", "s", rest_since);
+  visit("settled_at", "s", settled_at);
+  visit("set_point_at", "s", set_point_at);
+  visit("network_step", "s", network_step);
+  auto& [cell_energy] = walls;
+  visit("walls/cell_energy", "J", cell_energy);
+  for_each_exchange_field(exchange, visit);
+  for_each_book_field(state, visit);
+}
+
+}  // namespace pmr::io

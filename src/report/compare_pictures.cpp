@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "report/compare.hpp"
+#include "report/picture_html.hpp"
+#include "report/picture_section.hpp"
+#include "report/text.hpp"
+
+namespace pmr::report {
+namespace {
+
+constexpr std::size_t pixels = 440;  // [1] wide
+
+struct Scene {
+  const RunData* run;
+  BedPictures bed;
+  io::Snapshot settled, last;
+};
+
+// All pictures get the size of the largest, round the middle of each.
+void same_size(std::deque<Scene>& scenes) {
+  double width = 0.0, height = 0.0;
+  for (const Scene& s : scenes) {
+    width = std::max(width, s.bed.view.width);
+    height = std::max(height, s.bed.view.height);
+  }
+  for (Scene& s : scenes) {
+    s.bed.view.width = width;
+    s.bed.view.height = height;
+  }
+}
+
+std::string shot(const Scene& scene, const io::Snapshot& snapshot, const Paint& paint) {
+  return shot_html({snapshot, scene.run->setup, scene.bed.view, pixels, escape(scene.run->name)},
+                   paint);
+}
+
+std::string by_species(const std::deque<Scene>& scenes) {
+  std::vector<std::string> shots;
+  for (const Scene& s : scenes) shots.push_back(shot(s, s.settled, paint_species(s.settled)));
+  return strip(shots, species_legend(scenes.front().run->header.species),
+               "The settled beds, by species", "");
+}
+
+std::string by_temperature(const std::deque<Scene>& scenes, const char* title,
+                           io::Snapshot Scene::* moment) {
+  std::vector<const io::Snapshot*> shown;
+  for (const Scene& s : scenes) shown.push_back(&(s.*moment));
+  const auto range = temperature_limits(shown);
+  if (!range || range->high - range->low < 0.01) return "";
+  const Limits limits = celsius_limits(*range);
+  std::vector<std::string> shots;
+  for (const Scene& s : scenes)
+    shots.push_back(shot(s, s.*moment, paint_temperature(s.*moment, kelvin(limits))));
+  return strip(shots, colour_bar(ColourMap::inferno, limits, "temperature [°C]"), title,
+               "The same colours in all pictures.");
+}
+
+std::string by_delta(const std::deque<Scene>& scenes) {
+  Limits all{1e30, -1e30};
+  for (const Scene& s : scenes) {
+    const auto range = s.run->reactive() ? delta_limits(s.last) : std::nullopt;
+    if (!range) continue;
+    all = {std::min(all.low, range->low), std::max(all.high, range->high)};
+  }
+  if (all.low > all.high) return absent("No pictures by δ: no reaction in these cases.");
+  const Limits limits = round_limits(all.low, all.high);
+  std::vector<std::string> shots;
+  for (const Scene& s : scenes) shots.push_back(shot(s, s.last, paint_delta(s.last, limits)));
+  return strip(shots, colour_bar(ColourMap::viridis, limits, "oxygen non-stoichiometry δ [1]"),
+               "The beds at the end, by δ", "The same colours in all pictures.");
+}
+
+}  // namespace
+
+Section compared_pictures(const std::vector<RunData>& runs) {
+  std::deque<Scene> scenes;
+  for (const RunData& run : runs) {
+    if (run.snapshot_times.empty()) continue;
+    const BedPictures bed = bed_pictures(run);
+    scenes.push_back({&run, bed, run.snapshot(bed.settled),
+                      run.snapshot(run.snapshot_times.size() - 1)});
+  }
+  if (scenes.empty())
+    return {"pictures", "Pictures", absent("No pictures: these runs hold no snapshots.")};
+  same_size(scenes);
+  const std::string html =
+      by_species(scenes) +
+      by_temperature(scenes, "The beds come to rest, by temperature", &Scene::settled) +
+      by_temperature(scenes, "The beds at the end, by temperature", &Scene::last) +
+      by_delta(scenes);
+  return {"pictures", "Pictures", html};
+}
+
+}  // namespace pmr::report

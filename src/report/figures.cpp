@@ -1,0 +1,176 @@
+#include "report/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmr::report {
+namespace {
+
+// Collects figures; those the run does not know are left out.
+class Collector {
+ public:
+  explicit Collector(const RunData& run) : run_(run) {}
+
+  void add(KeyFigure figure) {
+    if (std::isfinite(figure.value)) figures_.push_back(std::move(figure));
+  }
+  void add_even_if_absent(KeyFigure figure) { figures_.push_back(std::move(figure)); }
+  double number(std::string_view path) const { return run_.summary.number(path); }
+  double last(const std::string& column) const {
+    if (!run_.series.has(column) || run_.series.rows() == 0) return std::nan("");
+    return run_.series.values(column).back();
+  }
+  // The band from 10 to 90 % of the particles at the end.
+  std::string band(const std::string& low, const std::string& high, Quantity quantity) const {
+    const double a = last(low), b = last(high);
+    if (!std::isfinite(a) || !std::isfinite(b)) return "";
+    return "10–90 %: " + show(quantity, a).number + " to " + with_unit(quantity, b);
+  }
+  const RunData& run() const { return run_; }
+  std::vector<KeyFigure> take() { return std::move(figures_); }
+
+ private:
+  const RunData& run_;
+  std::vector<KeyFigure> figures_;
+};
+
+Verdict below(double value, double limit) {
+  return value <= limit ? Verdict::good : Verdict::attention;
+}
+
+void add_temperatures(Collector& c) {
+  const RunData& run = c.run();
+  if (run.species.empty()) return;
+  const std::string& name = run.species[run.granules()].name;
+  c.add({"granule_temperature", "Mean " + name + " temperature at the end", Quantity::temperature,
+         c.number("thermal/temperature_mean/" + name),
+         c.band("temperature_p10." + name, "temperature_p90." + name, Quantity::temperature)});
+  c.add({"granule_spread", "Spread of it (standard deviation)", Quantity::temperature_difference,
+         c.number("thermal/temperature_std/" + name), "over all " + name + " particles"});
+}
+
+void add_chemistry(Collector& c) {
+  const RunData& run = c.run();
+  const auto reactive = run.reactive();
+  if (!reactive) return;
+  const double from = c.number("chemistry/delta_initial");
+  c.add({"delta", "Mean δ at the end", Quantity::delta, c.number("chemistry/delta_final"),
+         std::isfinite(from) ? "from " + with_unit(Quantity::delta, from) : ""});
+  const double released = c.number("chemistry/oxygen_released");  // [mol]
+  c.add({"oxygen", "Oxygen released", Quantity::specific_amount,
+         released / run.species[*reactive].mass,
+         with_unit(Quantity::amount, released) + " O₂; per kg " + run.species[*reactive].name});
+}
+
+void add_set_point(Collector& c) {
+  const RunData& run = c.run();
+  if (!run.setup || !run.setup->chamber || !run.setup->chamber->pump) return;
+  const auto& pump = *run.setup->chamber->pump;
+  const double time = c.number("chamber/time_to_setpoint");
+  const bool is_reached = std::isfinite(time);
+  std::string note = "to " + with_unit(Quantity::pressure, pump.set_point);
+  if (!is_reached) note += ", not reached in this run";
+  note += "; pump starts at " + with_unit(Quantity::time, pump.start);
+  c.add_even_if_absent({"set_point", "Time to set-point", Quantity::time, time, note,
+                        is_reached ? Verdict::plain : Verdict::attention});
+}
+
+void add_books(Collector& c) {
+  const double energy = c.number("balances/energy_relative");
+  const double oxygen = c.number("balances/oxygen_relative");
+  const bool has_oxygen = std::isfinite(oxygen);
+  const bool closes = std::abs(energy) <= energy_limit &&
+                      (!has_oxygen || std::abs(oxygen) <= oxygen_limit);
+  std::string note = "limit 10⁻⁶";
+  if (has_oxygen) note += "; oxygen " + with_unit(Quantity::residual, std::abs(oxygen)) +
+                          ", limit 10⁻⁷";
+  c.add({"energy_books", "Books: energy residual", Quantity::residual, std::abs(energy), note,
+         closes ? Verdict::good : Verdict::attention});
+}
+
+void add_mixture(Collector& c) {
+  const auto& layers = c.run().summary.items("homogeneity/layers");
+  if (!layers.empty())
+    c.add({"top_ratio", "Mass ratio w, top layer", Quantity::ratio,
+           layers.front().number("mass_ratio"),
+           "bottom layer " + with_unit(Quantity::ratio, layers.back().number("mass_ratio"))});
+  c.add({"lacey", "Lacey mixing index", Quantity::ratio, c.number("homogeneity/lacey_index"),
+         "0 apart, 1 at random"});
+  c.add({"deviation", "Mean deviation from the reference", Quantity::share,
+         c.number("homogeneity/mean_relative_deviation"), "mean |1 − w/w_ref| over layers"});
+}
+
+void add_mechanics(Collector& c) {
+  c.add({"lost", "Particles lost", Quantity::count, c.number("mechanics/lost"),
+         "of " + with_unit(Quantity::count, c.number("mechanics/particles/total")),
+         below(c.number("mechanics/lost"), 0.0)});
+  c.add({"settled", "Bed at rest", Quantity::time, c.run().settled_time(),
+         "after the first valve's release"});
+  c.add({"bed_height", "Bed height", Quantity::length, c.number("mechanics/bed_height"), ""});
+  c.add({"solid_fraction", "Solid fraction", Quantity::ratio,
+         c.number("mechanics/solid_fraction"), ""});
+  c.add({"coordination", "Coordination number", Quantity::ratio,
+         c.number("mechanics/coordination_number"), "contacts per particle"});
+  const double overlap = c.number("mechanics/max_overlap_ratio");
+  c.add({"overlap", "Largest overlap", Quantity::share, overlap,
+         "of the smaller radius; limit " + with_unit(Quantity::share, overlap_limit),
+         below(overlap, overlap_limit)});
+  c.add({"rate", "Particle-steps per second", Quantity::count,
+         c.number("mechanics/particle_steps_per_second"), ""});
+}
+
+void add_heat(Collector& c) {
+  for (const Member& m : c.run().summary.members("thermal/temperature_mean"))
+    c.add({"temperature." + m.key, "Mean " + m.key + " temperature at the end",
+           Quantity::temperature, m.value.as_number(), ""});
+  c.add({"to_walls", "Heat to the walls", Quantity::energy, c.number("thermal/heat_to_walls"), ""});
+  for (const Member& m : c.run().summary.members("thermal/biot_max"))
+    c.add({"biot." + m.key, "Largest Biot number, " + m.key, Quantity::ratio, m.value.as_number(),
+           "above 0.1 a sphere is not isothermal", below(m.value.as_number(), biot_limit)});
+}
+
+void add_reaction(Collector& c) {
+  c.add({"delta_std", "Spread of δ (standard deviation)", Quantity::delta,
+         c.number("chemistry/delta_std"), ""});
+  c.add({"extent", "Extent of reaction", Quantity::share, c.number("chemistry/extent"), ""});
+  c.add({"reaction_heat", "Heat taken up by the reaction", Quantity::energy,
+         c.number("chemistry/reaction_heat"), ""});
+  c.add({"pressure", "Pressure at the end", Quantity::pressure,
+         c.number("chamber/pressure_final"), ""});
+}
+
+void drop_repeated_temperature(std::vector<KeyFigure>& figures, const std::string& granules) {
+  std::erase_if(figures, [&](const KeyFigure& f) { return f.id == "temperature." + granules; });
+}
+
+}  // namespace
+
+std::vector<KeyFigure> key_figures(const RunData& run) {
+  Collector c(run);
+  add_temperatures(c);
+  add_chemistry(c);
+  add_set_point(c);
+  add_books(c);
+  add_mixture(c);
+  add_mechanics(c);
+  add_heat(c);
+  add_reaction(c);
+  std::vector<KeyFigure> figures = c.take();
+  if (!run.species.empty()) drop_repeated_temperature(figures, run.species[run.granules()].name);
+  return figures;
+}
+
+std::string chemical(std::string_view name) {
+  std::string html;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool is_digit = name[i] >= '0' && name[i] <= '9';
+    const bool follows_letter =
+        i > 0 && ((name[i - 1] >= 'a' && name[i - 1] <= 'z') ||
+                  (name[i - 1] >= 'A' && name[i - 1] <= 'Z'));
+    html += is_digit && follows_letter ? "<sub>" + std::string(1, name[i]) + "</sub>"
+                                       : escape(name.substr(i, 1));
+  }
+  return html;
+}
+
+}  // namespace pmr::report

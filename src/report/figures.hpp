@@ -1,0 +1,36 @@
+// The figures a run is judged by, each with its verdict, and the sentences made from them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "report/run_data.hpp"
+#include "report/text.hpp"
+
+namespace pmr::report {
+
+enum class Verdict { plain, good, attention };
+
+struct KeyFigure {
+  std::string id;     // "granule_temperature", the same in every run
+  std::string label;  // "Mean granule temperature at the end"
+  Quantity quantity;
+  double value;       // SI; NaN where it was looked for and not reached
+  std::string note;   // its band or its limit, may be empty
+  Verdict verdict = Verdict::plain;
+};
+
+inline constexpr double energy_limit = 1e-6;   // [1] of the heat exchanged
+inline constexpr double oxygen_limit = 1e-7;   // [1] of what was released
+inline constexpr double overlap_limit = 0.05;  // [1] of the smaller radius
+inline constexpr double biot_limit = 0.1;      // [1] above it a sphere is no longer isothermal
+
+// Every figure the run can give, the most wanted first: the first six head the page.
+std::vector<KeyFigure> key_figures(const RunData& run);
+
+// Three sentences: what was done, what came of it, whether to believe it. HTML.
+std::vector<std::string> answer(const RunData& run);
+
+std::string charge(const RunData& run);  // "1.00 kg Al2O3 at 1100 °C and ...", HTML
+std::string chemical(std::string_view name);  // "SrFeO3" with its digits set low, HTML
+
+}  // namespace pmr::report

@@ -1,0 +1,108 @@
+// The mixture: mean mass ratio per layer, and the bed unrolled.
+
+pmr.ratio_ticks = function (domain) {
+  return [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].filter(function (v) { return v >= domain[0] && v <= domain[1]; });
+};
+
+pmr.draw_layers = function (holder, spec, width) {
+  if (spec.lines.length > 1) pmr.keys(holder, spec.lines);
+  var layers = d3.max(spec.lines, function (l) { return l.w.length; });
+  var left = 58, right = 16, top = 12, step = 32, inside = width - left - right, height = layers * step;
+  var values = d3.merge(spec.lines.map(function (l) { return l.w; })).filter(function (w) { return w > 0; });
+  if (spec.published) values = values.concat([0.5, 3.5]);
+  var x = d3.scale.log().domain([Math.min(0.2, d3.min(values) / 1.3), Math.max(5, d3.max(values) * 1.3)]).range([0, inside]);
+  function y(layer) { return (layer + 0.5) * step; }
+  var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (height + top + 42))
+    .append("g").attr("transform", "translate(" + left + "," + top + ")");
+  pmr.ratio_ticks(x.domain()).forEach(function (v) {
+    svg.append("g").attr("class", "grid").append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: height });
+    svg.append("text").attr({ x: x(v), y: height + 16, "text-anchor": "middle" }).text(pmr.number(v));
+  });
+  svg.append("line").attr({ "class": "unity", x1: x(1), x2: x(1), y1: 0, y2: height });
+  svg.append("g").attr("class", "axis").append("path").attr("d", "M0,0V" + height + "H" + inside);
+  svg.append("text").attr({ x: inside, y: height + 33, "text-anchor": "end", "class": "strong" }).text("mass ratio w [1]");
+  for (var k = 0; k < layers; ++k)
+    svg.append("text").attr({ x: -8, y: y(k) + 4, "text-anchor": "end" }).text(k === 0 ? "layer 1" : k + 1);
+  if (spec.published) pmr.draw_published(svg, x, y, layers, step);
+  spec.lines.forEach(function (l) { pmr.draw_profile(svg, l, x, y); });
+};
+
+pmr.draw_published = function (svg, x, y, layers, step) {
+  function statement(w, first, last, text) {
+    svg.append("line").attr({ x1: x(w), x2: x(w), y1: y(first) - step * 0.42, y2: y(last) + step * 0.42,
+      stroke: "#b4bcc6", "stroke-width": 9, "stroke-linecap": "round", opacity: 0.75 });
+    svg.append("text").attr({ x: x(w) + (w > 1 ? 12 : -12), y: y(first) - step * 0.18 + (w > 1 ? 0 : -10),
+      "text-anchor": w > 1 ? "start" : "end" }).text(text);
+  }
+  statement(3.5, 0, 0, "measured: about 3.5");
+  if (layers > 3) statement(0.5, layers - 3, layers - 1, "measured: about 0.5");
+};
+
+pmr.draw_profile = function (svg, line, x, y) {
+  var points = line.w.map(function (w, k) { return [w, k]; }).filter(function (p) { return p[0] > 0; });
+  svg.append("path").attr({ "class": "line", stroke: line.colour, "stroke-dasharray": line.dash || null,
+    d: d3.svg.line().x(function (p) { return x(p[0]); }).y(function (p) { return y(p[1]); })(points) });
+  points.forEach(function (p) {
+    svg.append("circle").attr({ cx: x(p[0]), cy: y(p[1]), r: 4, fill: line.dash ? "#fff" : line.colour, stroke: line.colour })
+      .append("title").text(line.label + ", layer " + (p[1] + 1) + ": w = " + pmr.number(p[0]));
+  });
+};
+
+// The colour of a ratio, on a log scale that is as wide above 1 as below.
+pmr.ratio_colour = function (cells, colours) {
+  var widest = d3.max(d3.merge(cells), function (w) { return w > 0 ? Math.abs(Math.log(w) / Math.LN2) : 0; });
+  var octaves = Math.max(1, Math.ceil(widest || 1));
+  var scale = d3.scale.linear().domain(d3.range(colours.length).map(function (k) {
+    return octaves * (2 * k / (colours.length - 1) - 1);
+  })).range(colours).clamp(true);
+  return { octaves: octaves, of: function (w) { return w > 0 ? scale(Math.log(w) / Math.LN2) : "#fff"; } };
+};
+
+pmr.draw_unrolled = function (holder, spec, width) {
+  var colour = pmr.ratio_colour(spec.cells, spec.colours);
+  var left = 58, right = 12, top = 8, columns = spec.azimuth.length, rows = spec.cells.length;
+  var w = (width - left - right) / columns, h = 30;
+  var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (rows * h + top + 92))
+    .append("g").attr("transform", "translate(" + left + "," + top + ")");
+  spec.cells.forEach(function (row, k) {
+    svg.append("text").attr({ x: -8, y: (k + 0.5) * h + 4, "text-anchor": "end" }).text(k === 0 ? "layer 1" : k + 1);
+    row.forEach(function (ratio, s) {
+      var strong = ratio > 0 && Math.abs(Math.log(ratio) / Math.LN2) > 0.6 * colour.octaves;
+      svg.append("rect").attr({ x: s * w, y: k * h, width: w - 1, height: h - 1, fill: colour.of(ratio) })
+        .append("title").text("layer " + (k + 1) + ", φ = " + spec.azimuth[s] + "°: w = " + pmr.number(ratio));
+      svg.append("text").attr({ x: (s + 0.5) * w, y: (k + 0.5) * h + 4, "text-anchor": "middle" })
+        .style("fill", strong ? "#fff" : "#333").text(ratio > 0 ? d3.format(".2r")(ratio) : "–");
+    });
+  });
+  spec.azimuth.forEach(function (phi, s) {
+    svg.append("text").attr({ x: (s + 0.5) * w, y: rows * h + 15, "text-anchor": "middle" }).text(phi + "°");
+  });
+  svg.append("text").attr({ x: columns * w, y: rows * h + 32, "text-anchor": "end", "class": "strong" }).text("azimuth φ [°]");
+  pmr.draw_ratio_bar(svg.append("g").attr("transform", "translate(0," + (rows * h + 46) + ")"), colour, Math.min(320, columns * w));
+};
+
+pmr.draw_ratio_bar = function (g, colour, width) {
+  var steps = 64;
+  d3.range(steps).forEach(function (k) {
+    var octave = colour.octaves * (2 * (k + 0.5) / steps - 1);
+    g.append("rect").attr({ x: k * width / steps, y: 0, width: width / steps + 0.6, height: 11, fill: colour.of(Math.pow(2, octave)) });
+  });
+  var stride = colour.octaves > 4 ? 2 : 1;
+  for (var n = -colour.octaves; n <= colour.octaves; n += stride) {
+    var at = (n / colour.octaves + 1) / 2 * width;
+    g.append("text").attr({ x: at, y: 25, "text-anchor": "middle" }).text(n < 0 ? "1/" + Math.pow(2, -n) : Math.pow(2, n));
+  }
+  g.append("text").attr({ x: width + 16, y: 10, "class": "strong" }).text("mass ratio w [1]");
+};
+
+pmr.layer_rows = function (spec) {
+  var rows = [["line", "layer", "w [1]"]];
+  spec.lines.forEach(function (l) { l.w.forEach(function (w, k) { rows.push([l.label, k + 1, w]); }); });
+  return rows;
+};
+
+pmr.unrolled_rows = function (spec) {
+  var rows = [["layer", "azimuth [deg]", "w [1]"]];
+  spec.cells.forEach(function (row, k) { row.forEach(function (w, s) { rows.push([k + 1, spec.azimuth[s], w]); }); });
+  return rows;
+};

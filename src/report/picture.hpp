@@ -1,0 +1,47 @@
+// Pictures of a bed cut open, drawn with the radiation camera: which part of the world, in which
+// colours, with the walls' section on top.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "io/run_file.hpp"
+#include "pmr/state/case.hpp"
+#include "report/colour_map.hpp"
+#include "report/image.hpp"
+
+namespace pmr::report {
+
+// What the camera sees: a rectangle in the cutting plane. Looks along the plane's normal.
+struct View {
+  Vec3 middle;               // [m] on the cutting plane
+  Vec3 forward, right, up;   // [1] orthonormal
+  double width, height;      // [m]
+};
+
+// An orthographic view along the normal of the case's cut, on nothing yet (width 0).
+View look_at_cut(const std::optional<Case>& setup);
+// Widens the view until it holds every particle that is not cut away, and a margin [1] more.
+void frame(View& view, const std::vector<const io::Snapshot*>& snapshots, double margin);
+
+// Colour of a particle, by its index in the snapshot.
+using Paint = std::function<Rgb(std::size_t)>;
+Image draw(const io::Snapshot& snapshot, const std::optional<Case>& setup, const View& view,
+           std::size_t pixels_x, const Paint& paint);
+
+Paint paint_species(const io::Snapshot& snapshot);
+Paint paint_temperature(const io::Snapshot& snapshot, Limits limits);  // [K]
+Paint paint_delta(const io::Snapshot& snapshot, Limits limits);        // inert ones grey
+
+// Smallest and largest over particles of all snapshots; none without particles.
+std::optional<Limits> temperature_limits(const std::vector<const io::Snapshot*>& snapshots);
+std::optional<Limits> delta_limits(const io::Snapshot& snapshot);  // of reactive particles
+
+// Lines in which the walls present at time t [s] meet the cut, in pixels of a picture.
+struct Line {
+  double x0, y0, x1, y1;  // [pixels] from the top left
+};
+std::vector<Line> wall_section(const std::optional<Case>& setup, double t, const View& view,
+                               double pixels_x);
+
+}  // namespace pmr::report

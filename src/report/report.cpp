@@ -1,0 +1,50 @@
+#include "report/report.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include "pmr/base/errors.hpp"
+#include "report/page.hpp"
+#include "report/text.hpp"
+
+namespace pmr::report {
+namespace {
+
+std::string title_of(const RunData& run) {
+  const std::string title = run.setup ? run.setup->title : run.summary.text("case/title");
+  return title.empty() ? run.name : title;
+}
+
+std::string description_of(const RunData& run) {
+  const std::string text = run.setup ? run.setup->description : run.summary.text("case/description");
+  return text.empty() ? run.name : text;
+}
+
+void write_text(const std::string& text, const std::filesystem::path& file) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw CaseError({{file.string(), "", "cannot be written"}});
+}
+
+}  // namespace
+
+std::string report_page(const RunData& run) {
+  Charts charts;
+  std::vector<Section> sections{answer_section(run), picture_section(run)};
+  sections.push_back(mixture_section(run, charts));
+  sections.push_back(course_section(run, charts));
+  sections.push_back(books_section(run, charts));
+  sections.push_back(reproduction_section(run));
+  return assemble(title_of(run), description_of(run), sections, charts);
+}
+
+void write_report(const std::vector<std::filesystem::path>& runs,
+                  const std::filesystem::path& html) {
+  ensure(!runs.empty(), "a report is written of at least one run");
+  if (runs.size() == 1) return write_text(report_page(read_run(runs.front())), html);
+  std::vector<RunData> data;
+  for (const auto& folder : runs) data.push_back(read_run(folder));
+  write_text(comparison_page(data), html);
+}
+
+}  // namespace pmr::report

@@ -1,0 +1,148 @@
+// The three sentences at the head of the page, made from the run's numbers.
+#include <algorithm>
+#include <cmath>
+
+#include "report/figures.hpp"
+
+namespace pmr::report {
+namespace {
+
+std::string strong(const std::string& html) { return element("strong", html); }
+
+std::string rest_sentence(const RunData& run) {
+  const double settled = run.settled_time();
+  const double lost = run.summary.number("mechanics/lost");
+  std::string text;
+  if (std::isfinite(settled) && run.summary.text("status") != "failed")
+    text += "; the bed was at rest " + with_unit(Quantity::time, settled) + " after release";
+  if (std::isfinite(lost))
+    text += lost == 0.0 ? " with no particle lost"
+                        : ", and " + with_unit(Quantity::count, lost) + " particles were lost";
+  return text;
+}
+
+std::string what_was_done(const RunData& run) {
+  const std::string status = run.summary.text("status");
+  std::string text = charge(run);
+  text += std::isfinite(run.summary.number("mechanics/lost")) || std::isfinite(run.settled_time())
+              ? " were mixed" + rest_sentence(run) : " were simulated";
+  if (status == "failed" || status == "stopped")
+    text += " &mdash; " + strong("this run " + std::string(status == "failed" ? "failed" : "was stopped") +
+                                 " before its end");
+  return text + ".";
+}
+
+std::string temperature_part(const RunData& run) {
+  const std::string& name = run.species[run.granules()].name;
+  const double mean = run.summary.number("thermal/temperature_mean/" + name);
+  if (!std::isfinite(mean)) return "";
+  const double change = mean - run.species[run.granules()].first_temperature;
+  std::string text = "the " + chemical(name) + " granules ended at " +
+                     strong(with_unit(Quantity::temperature, mean));
+  if (std::abs(change) > 0.05)
+    text += " (" + difference(Quantity::temperature_difference, change) + ")";
+  const double spread = run.summary.number("thermal/temperature_std/" + name);
+  if (std::isfinite(spread))
+    text += ", alike within ±" + with_unit(Quantity::temperature_difference, spread);
+  return text;
+}
+
+std::string oxygen_part(const RunData& run) {
+  const auto reactive = run.reactive();
+  const double released = run.summary.number("chemistry/oxygen_released");
+  if (!reactive || !std::isfinite(released)) return "";
+  const double from = run.summary.number("chemistry/delta_initial");
+  const double to = run.summary.number("chemistry/delta_final");
+  const std::string verb = released < 0.0 ? "took up " : "gave off ";
+  return verb + strong(with_unit(Quantity::specific_amount,
+                                 std::abs(released) / run.species[*reactive].mass) + " O₂") +
+         " (δ from " + fixed(from, 3) + " to " + fixed(to, 3) + ")";
+}
+
+std::string mixture_part(const RunData& run) {
+  const auto& layers = run.summary.items("homogeneity/layers");
+  if (layers.empty()) return "";
+  return "the mass ratio w runs from " +
+         strong(with_unit(Quantity::ratio, layers.front().number("mass_ratio"))) +
+         " in the top layer to " +
+         strong(with_unit(Quantity::ratio, layers.back().number("mass_ratio"))) +
+         " in the lowest";
+}
+
+std::string sentence(std::vector<std::string> parts) {
+  std::erase(parts, "");
+  std::string text = join(parts, " and ");
+  if (text.empty()) return "";
+  if (text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + ".";
+}
+
+std::string outcome(const RunData& run) {
+  if (run.species.empty()) return "";
+  const std::string heat = temperature_part(run);
+  const std::string oxygen = oxygen_part(run);
+  if (heat.empty() && oxygen.empty()) return sentence({mixture_part(run)});
+  std::string text = sentence({heat, oxygen});
+  const double hours = run.end_time();
+  text.insert(text.size() - 1, " after " + with_unit(Quantity::time, hours));
+  return text;
+}
+
+std::string carried_by(const RunData& run) {
+  struct Path { const char* key; const char* name; };
+  static constexpr Path paths[] = {
+      {"radiation", "radiation"}, {"contact", "contacts"}, {"gap", "gas gaps"}};
+  double total = 0.0;
+  for (const Path& p : paths) total += run.summary.number("heat_paths/" + std::string(p.key));
+  if (!std::isfinite(total) || std::abs(total) < 1.0) return "";
+  std::vector<std::string> shares;
+  for (const Path& p : paths)
+    shares.push_back(with_unit(Quantity::share,
+                               run.summary.number("heat_paths/" + std::string(p.key)) / total) +
+                     " by " + p.name);
+  return "the granules received " + with_unit(Quantity::energy, total) + " from the beads, " +
+         join(shares, ", ");
+}
+
+std::string trust(const RunData& run) {
+  const double energy = std::abs(run.summary.number("balances/energy_relative"));
+  const double oxygen = std::abs(run.summary.number("balances/oxygen_relative"));
+  std::string books;
+  if (std::isfinite(energy)) books = "the books close to " + with_unit(Quantity::residual, energy) +
+                                     " of the heat exchanged";
+  if (std::isfinite(energy) && std::isfinite(oxygen))
+    books += " and " + with_unit(Quantity::residual, oxygen) + " of the oxygen";
+  const std::string heat = carried_by(run);
+  if (heat.empty() && books.empty()) {
+    const double overlap = run.summary.number("mechanics/max_overlap_ratio");
+    if (!std::isfinite(overlap)) return "";
+    return "Every particle is accounted for; the largest overlap was " +
+           with_unit(Quantity::share, overlap) + " of a radius.";
+  }
+  std::vector<std::string> parts{heat, books};
+  std::erase(parts, "");
+  return sentence({join(parts, "; ")});
+}
+
+}  // namespace
+
+std::string charge(const RunData& run) {
+  std::vector<std::string> parts;
+  for (const SpeciesTotals& s : run.species) {
+    std::string text = strong(with_unit(Quantity::mass, s.mass) + " " + chemical(s.name));
+    text += " (" + with_unit(Quantity::count, static_cast<double>(s.count)) + " spheres)";
+    if (s.first_temperature > 0.0)
+      text += " at " + fixed(s.first_temperature - 273.15, 0) + "\u202f°C";
+    parts.push_back(text);
+  }
+  return join(parts, " and ");
+}
+
+std::vector<std::string> answer(const RunData& run) {
+  std::vector<std::string> sentences{what_was_done(run), outcome(run), trust(run)};
+  std::erase(sentences, "");
+  return sentences;
+}
+
+}  // namespace pmr::report

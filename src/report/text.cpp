@@ -1,0 +1,162 @@
+#include "report/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "pmr/base/constants.hpp"
+
+namespace pmr::report {
+namespace {
+
+constexpr const char* minus = "\u2212";
+constexpr const char* narrow_space = "\u202f";
+
+std::string print(const char* format, int digits, double value) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, digits, value);
+  std::string text = buffer.data();
+  if (!text.empty() && text.front() == '-') text.replace(0, 1, minus);
+  return text;
+}
+
+Shown prefixed(double value, int digits, const char* unit) {
+  static constexpr std::array<const char*, 9> prefixes{"p", "n", "µ", "m", "", "k", "M", "G", "T"};
+  if (value == 0.0) return {"0", unit};
+  const double power = std::floor(std::log10(std::abs(value)) / 3.0 + 1e-9);
+  const int step = static_cast<int>(std::clamp(power, -4.0, 4.0));
+  const double scaled = value / std::pow(10.0, 3.0 * step);
+  return {significant(scaled, digits), prefixes[static_cast<std::size_t>(step + 4)] +
+                                           std::string(unit)};
+}
+
+Shown shown_time(double seconds) {
+  if (std::abs(seconds) >= 600.0) return {significant(seconds / 60.0, 3), "min"};
+  if (std::abs(seconds) >= 100.0) return {fixed(seconds, 0), "s"};
+  return {significant(seconds, 3), "s"};
+}
+
+}  // namespace
+
+std::string fixed(double value, int decimals) { return print("%.*f", decimals, value); }
+
+std::string significant(double value, int digits) {
+  if (value == 0.0) return "0";
+  const double size = std::abs(value);
+  if (size >= 1e6 || size < 1e-4) return print("%.*e", digits - 1, value);
+  const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+  return fixed(value, std::max(0, digits - before));
+}
+
+std::string grouped(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), ",");
+  return digits;
+}
+
+std::string with_prefix(double value, int digits, std::string_view unit) {
+  const Shown shown = prefixed(value, digits, std::string(unit).c_str());
+  return shown.number + narrow_space + shown.unit;
+}
+
+Shown show(Quantity quantity, double value) {
+  if (!std::isfinite(value)) return {"\u2013", ""};
+  switch (quantity) {
+    case Quantity::temperature: return {fixed(value - zero_celsius, 1), "°C"};
+    case Quantity::temperature_difference: return {fixed(value, std::abs(value) < 1 ? 2 : 1), "K"};
+    case Quantity::delta: return {fixed(value, 4), ""};
+    case Quantity::ratio: return {significant(value, 3), ""};
+    case Quantity::share: return {significant(100.0 * value, 2), "%"};
+    case Quantity::residual: return {value == 0.0 ? "0" : print("%.*e", 1, value), ""};
+    case Quantity::count: return {grouped(static_cast<std::uint64_t>(std::llround(value))), ""};
+    case Quantity::time: return shown_time(value);
+    case Quantity::length: return {significant(1e3 * value, 3), "mm"};
+    case Quantity::mass: return prefixed(1e3 * value, 4, "g");
+    case Quantity::energy: return prefixed(value, 3, "J");
+    case Quantity::pressure: return prefixed(value, 4, "Pa");
+    case Quantity::amount: return prefixed(value, 4, "mol");
+    case Quantity::specific_amount: return {significant(value, 3), "mol/kg"};
+  }
+  return {};
+}
+
+std::string with_unit(Quantity quantity, double value) {
+  const Shown shown = show(quantity, value);
+  if (shown.unit.empty()) return shown.number;
+  return shown.number + narrow_space + shown.unit;
+}
+
+std::string difference(Quantity quantity, double change) {
+  if (!std::isfinite(change)) return "\u2013";
+  if (change == 0.0) return "±0";
+  const Quantity kind =
+      quantity == Quantity::temperature ? Quantity::temperature_difference : quantity;
+  const std::string size = with_unit(kind, std::abs(change));
+  return (change > 0.0 ? "+" : minus) + size;
+}
+
+std::string escape(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  static constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = (word << 8) | (i + k < bytes.size() ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? letters[(word >> (18 - 6 * k)) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string join(const std::vector<std::string>& parts, std::string_view between) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += between;
+    text += part;
+  }
+  return text;
+}
+
+std::string element(std::string_view tag, std::string_view content, std::string_view attributes) {
+  std::string html = "<";
+  html += tag;
+  if (!attributes.empty()) (html += ' ') += attributes;
+  ((html += '>') += content) += "</";
+  return (html += tag) += ">\n";
+}
+
+std::string table(const std::vector<std::string>& head,
+                  const std::vector<std::vector<std::string>>& rows,
+                  std::string_view attributes) {
+  std::string cells;
+  for (const std::string& title : head) cells += element("th", title, "scope=\"col\"");
+  std::string body;
+  for (const auto& row : rows) {
+    std::string line;
+    for (const std::string& cell : row) line += element("td", cell);
+    body += element("tr", line);
+  }
+  const std::string top = head.empty() ? "" : element("thead", element("tr", cells));
+  const std::string inside = element("table", top + element("tbody", body), attributes);
+  return element("div", inside, "class=\"scroll\"");
+}
+
+}  // namespace pmr::report

@@ -1,0 +1,73 @@
+#include "report/value.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "report/text.hpp"
+
+namespace pmr::report {
+namespace {
+
+const Value* member(const Value& value, std::string_view key) {
+  const auto* object = std::get_if<Value::Object>(&value.data);
+  if (object == nullptr) return nullptr;
+  const auto found = std::find_if(object->begin(), object->end(),
+                                  [&](const Member& m) { return m.key == key; });
+  return found == object->end() ? nullptr : &found->value;
+}
+
+}  // namespace
+
+const Value* Value::find(std::string_view path) const {
+  const Value* here = this;
+  while (here != nullptr && !path.empty()) {
+    const auto slash = path.find('/');
+    here = member(*here, path.substr(0, slash));
+    path = slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1);
+  }
+  const bool is_null = here != nullptr && std::holds_alternative<std::monostate>(here->data);
+  return is_null ? nullptr : here;
+}
+
+double Value::as_number() const {
+  const auto* number = std::get_if<double>(&data);
+  return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
+}
+
+std::string Value::as_text() const {
+  if (const auto* text = std::get_if<std::string>(&data)) return *text;
+  if (const auto* number = std::get_if<double>(&data)) return significant(*number, 6);
+  if (const auto* flag = std::get_if<bool>(&data)) return *flag ? "yes" : "no";
+  return "";
+}
+
+double Value::number(std::string_view path) const {
+  const Value* value = find(path);
+  return value == nullptr ? std::numeric_limits<double>::quiet_NaN() : value->as_number();
+}
+
+std::string Value::text(std::string_view path) const {
+  const Value* value = find(path);
+  return value == nullptr ? "" : value->as_text();
+}
+
+const Value::Array& Value::items(std::string_view path) const {
+  static const Array none;
+  const Value* value = find(path);
+  const auto* array = value == nullptr ? nullptr : std::get_if<Array>(&value->data);
+  return array == nullptr ? none : *array;
+}
+
+const Value::Object& Value::members(std::string_view path) const {
+  static const Object none;
+  const Value* value = find(path);
+  const auto* object = value == nullptr ? nullptr : std::get_if<Object>(&value->data);
+  return object == nullptr ? none : *object;
+}
+
+void Value::set(std::string key, Value value) {
+  if (std::holds_alternative<std::monostate>(data)) data = Object();
+  std::get<Object>(data).push_back({std::move(key), std::move(value)});
+}
+
+}  // namespace pmr::report

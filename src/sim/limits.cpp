@@ -1,0 +1,82 @@
+// Where a run left the ground its models stand on.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "chemistry/redox.hpp"
+#include "coupling/thermal_state.hpp"
+#include "physics/time_step.hpp"
+#include "pmr/base/constants.hpp"
+#include "sim/ledger.hpp"
+#include "sim/schedule.hpp"
+#include "sim/summary.hpp"
+
+namespace pmr::sim {
+namespace {
+
+constexpr double largest_overlap = 0.05;   // [1] of the radius; common limit of soft spheres
+constexpr double largest_fraction = 0.40;  // [1] of the Rayleigh step
+
+void check_mechanics(const Case& c, const State& state, std::vector<std::string>& limits) {
+  if (state.extremes.overlap_ratio > largest_overlap)
+    limits.push_back(fmt::format("The largest overlap was {:.1f} % of the radius; the soft contact "
+                                 "model is trusted up to 5 %.",
+                                 100.0 * state.extremes.overlap_ratio));
+  const double fraction = physics::time_step(c).fraction;
+  if (fraction > largest_fraction)
+    limits.push_back(fmt::format("The time step is {:.0f} % of the Rayleigh step; above 40 % it "
+                                 "may be unstable.", 100.0 * fraction));
+  if (!state.lost.empty())
+    limits.push_back(fmt::format("{} particles left the domain; the first, {}, at t = {:.4g} s.",
+                                 state.lost.size(), state.lost.front().id,
+                                 state.lost.front().time));
+}
+
+void check_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
+  if (!c.models.reaction) return;
+  const auto gas = coupling::atmosphere(c, state);
+  const double pressure = gas.oxygen_fraction * gas.pressure;
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    const Material& material = c.materials.list[c.species[s].material];
+    if (!material.redox) continue;
+    std::size_t outside = 0, count = 0;
+    for (std::size_t i = 0; i < state.particles.size(); ++i) {
+      if (state.particles.species[i] != s) continue;
+      ++count;
+      outside += chemistry::is_within_fit(material.redox->equilibrium,
+                                          state.particles.temperature[i],
+                                          state.particles.delta[i], pressure)
+                     ? 0
+                     : 1;
+    }
+    if (outside > 0)
+      limits.push_back(fmt::format(
+          "{:.0f} % of the {} particles end outside the range that the equilibrium was fitted in "
+          "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC): extrapolated.",
+          100.0 * static_cast<double>(outside) / static_cast<double>(count), c.species[s].name,
+          material.redox->equilibrium.fit_delta_minimum,
+          material.redox->equilibrium.fit_delta_maximum,
+          material.redox->equilibrium.fit_temperature_minimum - zero_celsius,
+          material.redox->equilibrium.fit_temperature_maximum - zero_celsius));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> limits_touched(const Case& c, const State& state) {
+  std::vector<std::string> limits;
+  check_mechanics(c, state, limits);
+  check_fit(c, state, limits);
+  if (has_heat(c)) {
+    const Balance balance = close_books(c, state);
+    if (!balance.closes())
+      limits.push_back(fmt::format("The books do not close: energy {:.1e}, oxygen {:.1e}.",
+                                   balance.energy_relative, balance.oxygen_relative));
+    limits.push_back("Particles are taken as isothermal; at Biot numbers above 0.1 this overstates "
+                     "the exchange (see biot_max).");
+  }
+  return limits;
+}
+
+}  // namespace pmr::sim

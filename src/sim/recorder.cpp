@@ -1,0 +1,131 @@
+#include "sim/recorder.hpp"
+
+#include <cmath>
+
+#include "coupling/thermal_state.hpp"
+#include "instruments/bed.hpp"
+#include "instruments/thermocouple.hpp"
+#include "physics/mechanics.hpp"
+#include "sim/ledger.hpp"
+#include "sim/schedule.hpp"
+
+namespace pmr::sim {
+namespace {
+
+// Appends one value to a named column, making the column on its first use.
+class Row {
+ public:
+  explicit Row(io::Series& series) : series_(series) {}
+  void put(const std::string& name, const std::string& unit, double value) {
+    if (next_ == series_.columns.size()) series_.columns.push_back({name, unit, {}});
+    series_.columns[next_++].values.push_back(value);
+  }
+
+ private:
+  io::Series& series_;
+  std::size_t next_ = 0;
+};
+
+void put_species(const Case& c, const State& state, Row& row) {
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    const auto figures =
+        instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s));
+    const std::string& name = c.species[s].name;
+    row.put("temperature_mean." + name, "K", figures.temperature.mean);
+    row.put("temperature_std." + name, "K", figures.temperature.deviation);
+    row.put("temperature_p10." + name, "K", figures.temperature.low);
+    row.put("temperature_p90." + name, "K", figures.temperature.high);
+    if (!c.materials.list[c.species[s].material].redox) continue;
+    row.put("delta_mean", "1", figures.delta.mean);
+    row.put("delta_p10", "1", figures.delta.low);
+    row.put("delta_p90", "1", figures.delta.high);
+  }
+}
+
+void put_gas(const Case& c, const State& state, double oxygen_rate, Row& row) {
+  if (!c.chamber) return;
+  const auto air = coupling::atmosphere(c, state);
+  row.put("pressure", "Pa", air.pressure);
+  row.put("oxygen_pressure", "Pa", air.oxygen_fraction * air.pressure);
+  row.put("nitrogen_pressure", "Pa", (1.0 - air.oxygen_fraction) * air.pressure);
+  row.put("gas_temperature", "K", air.temperature);
+  row.put("oxygen_released", "mol", state.fluxes.oxygen_released);
+  row.put("oxygen_rate", "mol s-1", oxygen_rate);
+  row.put("oxygen_pumped", "mol", state.fluxes.oxygen_pumped);
+}
+
+double mean_wall_temperature(const std::vector<double>& faces, const coupling::Nodes& nodes) {
+  double sum = 0.0, area = 0.0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (nodes.columns[nodes.patches[k].surface].size() == 0) continue;
+    sum += nodes.patches[k].area * faces[k];
+    area += nodes.patches[k].area;
+  }
+  return sum / area;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Case& c, const coupling::Nodes& nodes, std::filesystem::path dir)
+    : case_(c), nodes_(nodes), dir_(std::move(dir)) {}
+
+void Recorder::add_row(const State& state) {
+  Row row(rows_);
+  const double passed = state.time - last_time_;
+  const double rate =
+      passed > 0.0 ? (state.fluxes.oxygen_released - last_released_) / passed : 0.0;
+  last_time_ = state.time;
+  last_released_ = state.fluxes.oxygen_released;
+  row.put("time", "s", state.time);
+  row.put("phase", "1", static_cast<double>(state.phase));
+  row.put("kinetic_energy", "J",
+          state.phase == Phase::react || state.phase == Phase::done
+              ? 0.0
+              : physics::kinetic_energy(state.particles));
+  put_species(case_, state, row);
+  put_gas(case_, state, rate, row);
+  if (!has_heat(case_)) return;
+  const Fluxes& f = state.fluxes;
+  row.put("heat_contact", "J", f.contact);
+  row.put("heat_gap", "J", f.gap);
+  row.put("heat_radiation", "J", f.radiation);
+  row.put("heat_to_walls", "J", f.to_walls);
+  row.put("heat_reaction", "J", f.reaction);
+  row.put("heat_to_outside", "J", f.to_outside);
+  row.put("heat_to_surroundings", "J", f.to_surroundings);
+  const Balance balance = close_books(case_, state);
+  row.put("energy_residual", "J", balance.energy_residual);
+  row.put("oxygen_residual", "mol", balance.oxygen_residual);
+  for (const Thermocouple& probe : case_.thermocouples)
+    row.put("thermocouple." + probe.name, "K",
+            instruments::read_thermocouple(probe, state.particles).temperature);
+  if (nodes_.cells > 0)
+    row.put("wall_temperature_mean", "K",
+            mean_wall_temperature(coupling::patch_temperatures(case_, nodes_, state.walls), nodes_));
+}
+
+void Recorder::record(const State& state, bool takes_snapshot) {
+  add_row(state);
+  if (takes_snapshot)
+    snapshots_.push_back({state.time, state.phase, state.particles,
+                          coupling::patch_temperatures(case_, nodes_, state.walls)});
+}
+
+void Recorder::start_from(const State& state) {
+  last_time_ = state.time;
+  last_released_ = state.fluxes.oxygen_released;
+}
+
+void Recorder::flush() {
+  io::append_run(dir_, rows_, snapshots_);
+  rows_ = {};
+  snapshots_.clear();
+}
+
+void Recorder::checkpoint(const State& state) {
+  flush();
+  io::save_checkpoint(dir_, state);
+  since_checkpoint_ = {};
+}
+
+}  // namespace pmr::sim

@@ -1,0 +1,128 @@
+#include "sim/simulation.hpp"
+
+#include <cmath>
+
+#include "chemistry/chamber.hpp"
+#include "coupling/heat_links.hpp"
+#include "coupling/retrace.hpp"
+#include "coupling/thermal_state.hpp"
+#include "physics/insertion.hpp"
+#include "pmr/base/errors.hpp"
+#include "sim/ledger.hpp"
+
+namespace pmr::sim {
+
+Simulation::Simulation(const Case& c, std::filesystem::path dir)
+    : case_(c),
+      mechanics_(c),
+      schedule_(c, mechanics_.time_step()),
+      recorder_(case_, nodes_, std::move(dir)) {
+  state_.particles = physics::insert(c);
+  nodes_ = coupling::number_nodes(c, state_.particles.size());
+  coupling::begin_thermal_state(c, nodes_, state_);
+  schedule_.begin(state_);
+  recorder_.start_from(state_);
+  recorder_.record(state_, true);
+  recorder_.checkpoint(state_);
+}
+
+Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
+    : case_(c),
+      state_(std::move(state)),
+      mechanics_(c),
+      schedule_(c, mechanics_.time_step()),
+      nodes_(coupling::number_nodes(c, state_.opening.particles)),
+      recorder_(case_, nodes_, std::move(dir)) {
+  recorder_.start_from(state_);
+}
+
+// One step of the reactor.
+void Simulation::step() {
+  const Interval interval = schedule_.next(state_);
+  if (interval.moves()) move(interval);
+  if (interval.closes_chamber) coupling::close_chamber(case_, state_);
+  if (interval.heats) retrace_if_due(interval);
+  if (interval.heats) exchange_heat(interval);
+  if (!interval.moves()) state_.time = interval.end;
+  ++state_.interval;
+  const bool phase_ended = schedule_.move_on(state_, physics::rms_speed(state_.particles));
+  recorder_.record(state_, interval.takes_snapshot || phase_ended);
+}
+
+void Simulation::move(const Interval& interval) {
+  const Holdings before = holdings(case_, state_.particles);
+  const std::size_t lost = state_.lost.size();
+  mechanics_.advance(state_, interval.sub_steps, timings_);
+  if (state_.lost.size() > lost) book_losses(case_, before, state_);
+}
+
+// While the bed moves, after a stated time; at rest, when the bed has just come to rest, a wall has
+// come or gone, or an emissivity has changed by a stated amount.
+void Simulation::retrace_if_due(const Interval& interval) {
+  if (!case_.models.radiation) return;
+  const RadiationModel& model = *case_.models.radiation;
+  const StageTimer timer(timings_, "radiation");
+  const double traced = state_.exchange.traced_at;
+  bool due = interval.moves() ? state_.time - traced >= model.retrace_interval
+                              : traced < state_.settled_at || !std::isfinite(traced);
+  for (const Surface& surface : case_.walls.surfaces)
+    due = due || is_present(surface, traced) != is_present(surface, state_.time);
+  if (!interval.moves() && !due)
+    due = coupling::emissivity_change(case_, nodes_, state_) > model.emissivity_change;
+  if (due)
+    state_.exchange = coupling::retrace(case_, nodes_, state_,
+                                        interval.moves() ? model.rays_moving : model.rays_settled);
+}
+
+void Simulation::exchange_heat(const Interval& interval) {
+  auto links = [&] {
+    const StageTimer timer(timings_, "conduction");
+    return coupling::conduct(case_, nodes_, state_);
+  }();
+  const StageTimer timer(timings_, "network");
+  const double pressure = coupling::atmosphere(case_, state_).pressure;
+  const auto work = coupling::advance_network(case_, nodes_, std::move(links), interval.begin,
+                                              interval.end, state_);
+  watch_set_point(interval, pressure);
+  work_.steps += work.steps;
+  work_.rate_calls += work.rate_calls;
+  work_.newton += work.newton;
+  work_.krylov += work.krylov;
+}
+
+// Notes when the pump first reached its set-point, within its control band; between the borders of
+// the interval ln p is taken as linear, as under a constant pumping speed.
+void Simulation::watch_set_point(const Interval& interval, double pressure_before) {
+  if (!state_.gas.closed || !case_.chamber->pump || std::isfinite(state_.set_point_at)) return;
+  const double reached = case_.chamber->pump->set_point * (1.0 + chemistry::control_band);
+  const double pressure = coupling::atmosphere(case_, state_).pressure;
+  if (pressure > reached) return;
+  const double part = pressure_before > reached
+                          ? std::log(pressure_before / reached) / std::log(pressure_before / pressure)
+                          : 0.0;
+  state_.set_point_at = interval.begin + part * (interval.end - interval.begin);
+}
+
+Ending Simulation::run(const std::atomic<bool>& stop,
+                       const std::function<void(const Simulation&)>& look) {
+  while (state_.phase != Phase::done && !stop) {
+    const Phase phase = state_.phase;
+    try {
+      step();
+    } catch (const NumericsError&) {
+      recorder_.flush();
+      throw;
+    }
+    look(*this);
+    if (state_.phase != phase ||
+        recorder_.seconds_since_checkpoint() > case_.output.checkpoint_wall_time) {
+      const StageTimer timer(timings_, "output");
+      recorder_.checkpoint(state_);
+    }
+  }
+  const StageTimer timer(timings_, "output");
+  recorder_.checkpoint(state_);
+  return state_.phase == Phase::done ? Ending::completed : Ending::stopped;
+}
+
+}  // namespace pmr::sim

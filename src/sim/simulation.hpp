@@ -1,0 +1,57 @@
+// A run: the step of the reactor, and the loop round it.
+#pragma once
+#include <atomic>
+#include <filesystem>
+#include <functional>
+
+#include "coupling/network.hpp"
+#include "coupling/nodes.hpp"
+#include "physics/mechanics.hpp"
+#include "pmr/base/timer.hpp"
+#include "pmr/state/case.hpp"
+#include "pmr/state/state.hpp"
+#include "sim/recorder.hpp"
+#include "sim/schedule.hpp"
+
+namespace pmr::sim {
+
+enum class Ending { completed, stopped };
+
+class Simulation {
+ public:
+  // A fresh run: fills in the particles. CaseError when they do not fit.
+  Simulation(const Case& c, std::filesystem::path dir);
+  // Goes on from a checkpoint of the same case.
+  Simulation(const Case& c, std::filesystem::path dir, State state);
+
+  // Steps until the case's end or until `stop` becomes true; `look` sees the state after every
+  // step. A NumericsError leaves run.h5 complete and the last checkpoint in place.
+  Ending run(const std::atomic<bool>& stop, const std::function<void(const Simulation&)>& look);
+
+  void step();
+
+  const Case& setup() const { return case_; }
+  const State& state() const { return state_; }
+  const coupling::Nodes& nodes() const { return nodes_; }
+  const Timings& timings() const { return timings_; }
+  const coupling::NetworkWork& network_work() const { return work_; }
+  double time_step() const { return mechanics_.time_step(); }  // [s]
+  double end() const { return schedule_.end(); }               // [s]
+
+ private:
+  void move(const Interval& interval);
+  void retrace_if_due(const Interval& interval);
+  void exchange_heat(const Interval& interval);
+  void watch_set_point(const Interval& interval, double pressure_before);
+
+  const Case& case_;
+  State state_;
+  physics::Mechanics mechanics_;
+  Schedule schedule_;
+  coupling::Nodes nodes_;
+  Recorder recorder_;
+  Timings timings_;
+  coupling::NetworkWork work_;
+};
+
+}  // namespace pmr::sim

@@ -1,0 +1,242 @@
+#include "sim/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "coupling/thermal_state.hpp"
+#include "instruments/bed.hpp"
+#include "instruments/course.hpp"
+#include "instruments/mixing.hpp"
+#include "physics/conduction.hpp"
+#include "physics/mechanics.hpp"
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+#include "sim/ledger.hpp"
+#include "sim/schedule.hpp"
+
+namespace pmr::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON knows no infinity and no NaN.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+double wall_seconds(const Timings& timings) {
+  double sum = 0.0;
+  for (const auto& [stage, seconds] : timings.stages())
+    if (stage.rfind("mechanics", 0) == 0) sum += seconds;
+  return sum;
+}
+
+Json mechanics_of(const SummaryInput& in) {
+  const State& state = in.state;
+  const Vec3 floor = in.setup.decomposition ? in.setup.decomposition->axis_point : Vec3(0, 0, 0);
+  Json particles = {{"total", state.opening.particles}};
+  for (std::size_t s = 0; s < in.setup.species.size(); ++s)
+    particles[in.setup.species[s].name] =
+        instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s)).count;
+  const double wall = wall_seconds(in.timings);
+  const double particle_steps =
+      static_cast<double>(state.step) * static_cast<double>(state.opening.particles);
+  return {{"particles", particles},
+          {"lost", state.lost.size()},
+          {"steps", state.step},
+          {"time_step", in.time_step},
+          {"simulated", static_cast<double>(state.step) * in.time_step},
+          {"settled_at", number(state.settled_at)},
+          {"wall", wall},
+          {"particle_steps_per_second", number(wall > 0.0 ? particle_steps / wall : 0.0)},
+          {"max_overlap_ratio", state.extremes.overlap_ratio},
+          {"max_speed", state.extremes.speed},
+          {"kinetic_energy", physics::kinetic_energy(state.particles)},
+          {"dissipated", state.fluxes.dissipated},
+          {"bed_height", instruments::bed_height(state.particles, floor)},
+          {"solid_fraction",
+           number(instruments::solid_fraction(
+               state.particles, instruments::enclosing_vessel(state.particles, floor)))},
+          {"coordination_number", instruments::coordination_number(state)}};
+}
+
+Json homogeneity_of(const SummaryInput& in, const instruments::BedSections& sections) {
+  Json layers = Json::array(), ratios = Json::array();
+  const auto layer_json = [](const instruments::Layer& layer) {
+    return Json{{"mass", layer.mass},
+                {"thickness", layer.thickness()},
+                {"mass_ratio", number(layer.content.mass_ratio())},
+                {"sector_mean_ratio", number(layer.sector_mean_ratio())}};
+  };
+  for (const auto& layer : sections.layers) {
+    layers.push_back(layer_json(layer));
+    Json row = Json::array();
+    for (const auto& sector : layer.sectors) row.push_back(number(sector.mass_ratio()));
+    ratios.push_back(row);
+  }
+  Json result = {{"layers", layers},
+                 {"sections", ratios},
+                 {"sectors", in.setup.decomposition->sectors},
+                 {"residuum", layer_json(sections.residuum)},
+                 {"lacey_index", number(instruments::lacey_index(sections))},
+                 {"left_right_asymmetry", number(sections.left_right_asymmetry)}};
+  if (!in.setup.decomposition->reference_mass_ratio.empty()) {
+    result["mean_relative_deviation"] = number(sections.mean_relative_deviation);
+    result["reference"] = in.setup.decomposition->reference_source;
+  }
+  return result;
+}
+
+// Largest Biot number of a species, h R/(3 k) with h = 4 eps sigma T^3 of radiation alone and the
+// conduction model's largest link left out: a lower bound named as such in the documentation.
+double largest_biot(const Case& c, const State& state, std::size_t species) {
+  const Material& material = c.materials.list[c.species[species].material];
+  const double pressure = coupling::atmosphere(c, state).pressure;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < state.particles.size(); ++i) {
+    if (state.particles.species[i] != species) continue;
+    const double T = state.particles.temperature[i];
+    const double film = 4.0 * material.emissivity(T) * stefan_boltzmann * T * T * T;
+    largest = std::max(largest, film * state.particles.radius[i] / 3.0 /
+                                    physics::conductivity(material.conductivity, T, pressure));
+  }
+  return largest;
+}
+
+Json thermal_of(const SummaryInput& in) {
+  Json mean, deviation, biot;
+  for (std::size_t s = 0; s < in.setup.species.size(); ++s) {
+    const auto figures =
+        instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
+    const std::string& name = in.setup.species[s].name;
+    mean[name] = number(figures.temperature.mean);
+    deviation[name] = number(figures.temperature.deviation);
+    biot[name] = largest_biot(in.setup, in.state, s);
+  }
+  return {{"temperature_mean", mean},
+          {"temperature_std", deviation},
+          {"biot_max", biot},
+          {"heat_to_walls", in.state.fluxes.to_walls}};
+}
+
+Json chemistry_of(const SummaryInput& in) {
+  const Case& c = in.setup;
+  const Fluxes& f = in.state.fluxes;
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    const Material& material = c.materials.list[c.species[s].material];
+    if (!material.redox) continue;
+    const auto figures =
+        instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
+    const double initial = coupling::initial_delta(c, c.species[s]);
+    const double limit = material.redox->equilibrium.delta_limit;
+    return {{"delta_initial", initial},
+            {"delta_final", number(figures.delta.mean)},
+            {"delta_std", number(figures.delta.deviation)},
+            {"oxygen_released", f.oxygen_released},
+            {"oxygen_to_air", f.oxygen_to_air},
+            {"oxygen_pumped", f.oxygen_pumped},
+            {"oxygen_per_kilogram", number(f.oxygen_released / figures.mass)},
+            {"extent", number((figures.delta.mean - initial) / (limit - initial))},
+            {"reaction_heat", f.reaction}};
+  }
+  return nullptr;
+}
+
+Json books_of(const SummaryInput& in) {
+  const State& state = in.state;
+  const Fluxes& f = state.fluxes;
+  double particles = 0.0, walls = 0.0;
+  for (const double h : state.particles.enthalpy) particles += h;
+  for (const double e : state.walls.cell_energy) walls += e;
+  const Json energy = {{"at the start", state.opening.energy},
+                       {"in particles", particles},
+                       {"in walls", walls},
+                       {"in the gas", state.gas.energy},
+                       {"to the outside of walls", f.to_outside},
+                       {"to the surroundings", f.to_surroundings},
+                       {"out with gas", f.gas_energy_out},
+                       {"in with gas", -f.gas_energy_in},
+                       {"with lost particles", f.lost_energy}};
+  const Json oxygen = {{"bound at the start", state.opening.oxygen},
+                       {"bound at the end", coupling::bound_oxygen(in.setup, state.particles)},
+                       {"released", f.oxygen_released},
+                       {"to open air", f.oxygen_to_air},
+                       {"pumped", f.oxygen_pumped},
+                       {"closed in with air", f.oxygen_closed_in},
+                       {"leaked in", f.oxygen_leaked},
+                       {"in the chamber", state.gas.oxygen}};
+  const Json count = {{"inserted", state.opening.particles},
+                      {"alive", state.particles.size()},
+                      {"lost", state.lost.size()}};
+  return {{"energy", energy}, {"oxygen", oxygen}, {"particles", count}};
+}
+
+Json lost_of(const State& state) {
+  Json lost = Json::array();
+  for (const LostParticle& p : state.lost)
+    lost.push_back({{"id", p.id}, {"time", p.time},
+                    {"position", {p.position[0], p.position[1], p.position[2]}}});
+  return lost;
+}
+
+Json assumed_of(const Case& c) {
+  Json assumed = Json::array();
+  const auto add = [&](const std::string& prefix, const Provenance& p) {
+    if (p.mark != 'A') return;
+    assumed.push_back({{"key", prefix + p.key}, {"value", p.value}, {"source", p.source}});
+  };
+  for (const Material& material : c.materials.list)
+    for (const Provenance& p : material.provenance) add(material.name + ".", p);
+  for (const Provenance& p : c.provenance) add("", p);
+  return assumed;
+}
+
+void add_heat(const SummaryInput& in, Json& summary) {
+  const Balance balance = close_books(in.setup, in.state);
+  const Fluxes& f = in.state.fluxes;
+  summary["thermal"] = thermal_of(in);
+  if (in.setup.models.reaction) summary["chemistry"] = chemistry_of(in);
+  if (in.setup.chamber) {
+    const auto gas = coupling::atmosphere(in.setup, in.state);
+    summary["chamber"] = {{"pressure_final", gas.pressure},
+                          {"time_to_setpoint", number(in.state.set_point_at)},
+                          {"temperature_gas", gas.temperature},
+                          {"oxygen_fraction", gas.oxygen_fraction}};
+  }
+  summary["balances"] = {{"energy_relative", balance.energy_relative},
+                         {"oxygen_relative", balance.oxygen_relative},
+                         {"energy_residual", balance.energy_residual},
+                         {"oxygen_residual", balance.oxygen_residual},
+                         {"heat_exchanged", f.heat_exchanged}};
+  summary["heat_paths"] = {{"contact", f.contact},
+                           {"gap", f.gap},
+                           {"radiation", f.radiation},
+                           {"to_walls", f.to_walls},
+                           {"reaction", f.reaction},
+                           {"to_outside", f.to_outside},
+                           {"to_surroundings", f.to_surroundings},
+                           {"gas", f.gas_energy_out - f.gas_energy_in}};
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
+  Json summary;
+  summary["status"] = in.status;
+  summary["case"] = {{"title", in.setup.title}, {"description", in.setup.description}};
+  summary["provenance"] = in.provenance;
+  summary["mechanics"] = mechanics_of(in);
+  if (const auto sections = instruments::decompose(in.setup, in.state.particles))
+    summary["homogeneity"] = homogeneity_of(in, *sections);
+  if (has_heat(in.setup)) add_heat(in, summary);
+  summary["books"] = books_of(in);
+  summary["lost_particles"] = lost_of(in.state);
+  summary["warnings"] = limits_touched(in.setup, in.state);
+  summary["assumed"] = assumed_of(in.setup);
+  for (const auto& [stage, seconds] : in.timings.stages()) summary["timing"][stage] = seconds;
+  std::ofstream out(dir / "summary.json");
+  out << summary.dump(2) << '\n';
+  if (!out) throw CaseError({{(dir / "summary.json").string(), "", "cannot be written"}});
+}
+
+}  // namespace pmr::sim

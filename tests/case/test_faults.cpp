@@ -1,0 +1,150 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "helpers.hpp"
+
+using namespace pmr;
+using namespace pmr::test;
+using Catch::Contains;
+
+TEST_CASE("the small case has no fault") {
+  const Case made = load(small_case);
+  CHECK(made.title == "test");
+  CHECK(made.species.at(0).diameter == Approx(2.99e-3).epsilon(1e-15));
+  CHECK(made.text == small_case);
+}
+
+TEST_CASE("a mistyped key is one fault that names the nearest valid key") {
+  CHECK(only_fault("diameter =", "diametr =") ==
+        "x.toml:8:1: species.bead.diametr: key 'diametr' is unknown; did you mean 'diameter'?");
+  CHECK(only_fault("[fill]", "[fil]") ==
+        "x.toml:17:2: fil: key 'fil' is unknown; did you mean "
+        "'fill'?");
+}
+
+TEST_CASE("a key far from all others is answered with the list of valid keys") {
+  CHECK_THAT(only_fault("[fill]\n", "[fill]\nwindspeed = 3\n"),
+             Contains("key 'windspeed' is unknown; valid: duration, rest_speed, rest_hold"));
+}
+
+TEST_CASE("a missing key is named with what was wanted") {
+  CHECK(only_fault("duration = \"1 s\"\n", "") ==
+        "x.toml:17:2: fill.duration: is missing; wanted a time such as \"125 ms\"");
+}
+
+TEST_CASE("a bare number where a unit belongs is a fault") {
+  CHECK(only_fault("\"2.99 mm\"", "2.99") ==
+        "x.toml:8:1: species.bead.diameter: 2.99 has no unit; wanted a length such as \"2.99 mm\"");
+}
+
+TEST_CASE("a text without a unit is a fault") {
+  CHECK_THAT(only_fault("\"2.99 mm\"", "\"2.99\""), Contains("'2.99' has no unit"));
+}
+
+TEST_CASE("a unit of the wrong dimension is a fault that says which it is") {
+  CHECK(only_fault("\"2.99 mm\"", "\"5 kg\"") ==
+        "x.toml:8:1: species.bead.diameter: '5 kg' is a mass; wanted a length such as "
+        "\"2.99 mm\"");
+}
+
+TEST_CASE("an unknown unit is a fault") {
+  CHECK_THAT(only_fault("\"2.99 mm\"", "\"2.99 mn\""), Contains("has the unknown unit 'mn'"));
+}
+
+TEST_CASE("figures out of range are faults") {
+  CHECK_THAT(only_fault("\"10 g\"", "\"-10 g\""),
+             Contains("-10 g is out of range; wanted a mass such as \"1 kg\", above 0"));
+  CHECK_THAT(only_fault("\"2.99 mm\"", "\"0 mm\""), Contains("out of range"));
+  CHECK_THAT(only_fault("\"20 degC\"", "\"-300 degC\""), Contains("out of range"));
+}
+
+TEST_CASE("numbers that are not finite are faults") {
+  CHECK_THAT(only_fault("\"2.99 mm\"", "\"nan mm\""), Contains("is not finite"));
+  CHECK_THAT(only_fault("\"2.99 mm\"", "nan"), Contains("nan is not finite"));
+  CHECK_THAT(only_fault("[0, 0, 1]", "[0, 0, inf]"), Contains("inf is not finite"));
+}
+
+TEST_CASE("an unknown material is named with the nearest one") {
+  CHECK(only_fault("\"Al2O3\"", "\"Al203\"") ==
+        "x.toml:7:1: species.bead.material: material 'Al203' is unknown; did you mean 'Al2O3'?");
+}
+
+TEST_CASE("a missing STL file is named") {
+  const std::string stl = "kind = \"stl\"\nfile = \"no/such.stl\"\nscale = \"1 mm\"\n";
+  const std::string fault =
+      only_fault("kind = \"plane\"", stl +
+                                         "[walls.other]\nkind = \"plane\"\nmaterial = \"Al2O3\"\n"
+                                         "[walls.third]\nkind = \"plane\"");
+  CHECK_THAT(fault, Contains("no/such.stl' does not exist"));
+}
+
+TEST_CASE("an empty file and a file that is not there are named") {
+  CHECK_THAT(faults_of("# only a comment\n").at(0), Contains("x.toml: is empty"));
+  try {
+    casefile::load_case("/no/such/case.toml");
+    FAIL("must throw");
+  } catch (const CaseError& error) {
+    CHECK(to_string(error.faults().at(0)) ==
+          "/no/such/case.toml: cannot be read: No such file or directory");
+  }
+}
+
+TEST_CASE("a mistake in the syntax is told with its place") {
+  CHECK_THAT(only_fault("[fill]", "[fill"), Contains("x.toml:17:6: not TOML"));
+}
+
+TEST_CASE("all faults are told together, in the order of their lines") {
+  std::string text = replaced(small_case, "\"2.99 mm\"", "\"5 kg\"");
+  text = replaced(text, "\"10 g\"", "\"-10 g\"");
+  text = replaced(text, "rest_hold", "rest_hald");
+  text = replaced(text, "\"0 0 0 m\", radius", "\"0 0 m\", radius");
+  const std::vector<std::string> faults = faults_of(text);
+  REQUIRE(faults.size() == 4);
+  CHECK_THAT(faults[0], Contains("x.toml:8:1: species.bead.diameter"));
+  CHECK_THAT(faults[1], Contains("x.toml:9:1: species.bead.mass"));
+  CHECK_THAT(faults[2], Contains("x.toml:11:11: species.bead.region.base: wanted three numbers"));
+  CHECK_THAT(faults[3], Contains("x.toml:20:1: fill.rest_hald"));
+}
+
+TEST_CASE("particles that do not fit their region are a fault") {
+  CHECK_THAT(only_fault("\"10 g\"", "\"10 kg\""), Contains("do not fit"));
+}
+
+TEST_CASE("a choice that does not exist is one fault") {
+  CHECK(only_fault("\"plane\"", "\"plain\"") ==
+        "x.toml:13:1: walls.floor.kind: choice 'plain' is unknown; did you mean 'plane'?");
+}
+
+TEST_CASE("heat models want the walls' thermal boundary and the gas") {
+  const auto faults =
+      faults_of(small_case + "[react]\nend = \"1 s\"\n[models]\nconduction = true\n");
+  REQUIRE(faults.size() == 2);
+  CHECK_THAT(faults[0], Contains("walls.floor.thermal: is missing"));
+  CHECK_THAT(faults[1], Contains("the gas gaps want [chamber]"));
+}
+
+TEST_CASE("a CSV file of particles is read with the units of its header") {
+  const std::string file = "/tmp/pmr_test_particles.csv";
+  std::ofstream(file) << "species,x [mm],y [mm],z [mm],vx [m/s],temperature [degC]\n"
+                         "bead,1,2,3,0.5,100\nbead,-1,2,3,0,200\n";
+  std::string text = replaced(small_case, "mass = \"10 g\"\n", "");
+  text =
+      replaced(text, "region = {base = \"0 0 0 m\", radius = \"20 mm\", height = \"80 mm\"}", "");
+  text = "particles = {csv = \"" + file + "\"}\n" + text;
+  const Case made = load(text);
+  REQUIRE(made.particles.size() == 2);
+  CHECK(made.particles[0].position.isApprox(Vec3(1e-3, 2e-3, 3e-3)));
+  CHECK(made.particles[0].velocity == Vec3(0.5, 0, 0));
+  CHECK(made.particles[1].temperature.value() == Approx(473.15));
+  CHECK(made.species[0].count == 2);
+
+  std::ofstream(file) << "species,x [mm],y,z [kg]\n";
+  const auto header_faults = faults_of(text);
+  REQUIRE(header_faults.size() >= 2);
+  CHECK_THAT(header_faults[0] + header_faults[1], Contains("has no unit") && Contains("is a mass"));
+  std::ofstream(file) << "species,x [mm],y [mm],z [mm]\nbeed,1,2,x\n";
+  const auto row_faults = faults_of(text);
+  REQUIRE(row_faults.size() >= 2);
+  CHECK_THAT(row_faults[0], Contains(file + ":2:1: species") && Contains("'bead'"));
+  CHECK_THAT(row_faults[1], Contains("'x' is no finite number"));
+}

@@ -1,0 +1,90 @@
+#include <catch2/catch.hpp>
+
+#include "helpers.hpp"
+
+using namespace pmr;
+using namespace pmr::test;
+using Catch::Contains;
+
+namespace {
+const Material& material(const Case& made, const std::string& name) {
+  for (const Material& one : made.materials.list)
+    if (one.name == name) return one;
+  throw std::runtime_error("no material " + name);
+}
+}  // namespace
+
+TEST_CASE("every figure of a shipped material has a mark and a source") {
+  const Case made = casefile::load_case(PMR_SOURCE_DIR "/cases/demonstrator.toml");
+  REQUIRE(made.materials.list.size() == 5);
+  for (const Material& one : made.materials.list) {
+    CHECK(one.provenance.size() >= 3);
+    for (const Provenance& figure : one.provenance) {
+      INFO(one.name << " " << figure.key << " " << figure.value);
+      CHECK(std::string("PLDA").find(figure.mark) != std::string::npos);
+      CHECK(figure.source != "given in the case");
+      CHECK(!figure.value.empty());
+    }
+  }
+}
+
+TEST_CASE("the shipped figures arrive in SI") {
+  const Case made = casefile::load_case(PMR_SOURCE_DIR "/cases/demonstrator.toml");
+  const Material& ferrite = material(made, "SrFeO3");
+  REQUIRE(ferrite.redox);
+  CHECK(ferrite.redox->molar_mass == Approx(0.191462));
+  CHECK(ferrite.redox->equilibrium.fit_pressure_maximum == Approx(9e4));
+  CHECK(std::get<PowerRate>(ferrite.redox->rate).activation_energy == Approx(75.7e3));
+  const Material& alumina = material(made, "Al2O3");
+  // NIST: f and h in kJ/mol
+  CHECK(std::get<Shomate>(alumina.heat).f == Approx(-1717.930).epsilon(1e-12));
+  CHECK(alumina.emissivity(873.15) == Approx(0.65));
+  CHECK(std::get<AluminaConductivity>(alumina.conductivity).factor == 0.6);
+  // 0.14 of 0.18 W/m/K at 600 degC and 1000 Pa, from which gas_share and half_pressure were fitted
+  const auto& board = std::get<TabulatedConductivity>(material(made, "fibre-board").conductivity);
+  const double left = 1 - board.gas_share * (1 - 1 / (1 + board.half_pressure / 1000.0));
+  CHECK(left * board.table(873.15) == Approx(0.14).epsilon(0.01));
+}
+
+TEST_CASE("a case overrides single figures of a shipped material") {
+  const Case made = load(small_case + "[materials.Al2O3]\ndensity = \"3000 kg/m3\"\n",
+                         {"materials.Al2O3.heat={law=\"constant\", heat_capacity=\"900 J/kg/K\"}"});
+  const Material& alumina = material(made, "Al2O3");
+  CHECK(alumina.density == 3000);
+  CHECK(std::get<ConstantHeat>(alumina.heat).heat_capacity == 900);
+  CHECK(alumina.young_real == 300e9);
+  CHECK(alumina.provenance.at(0).mark == 'A');
+  CHECK(alumina.provenance.at(0).source == "given in the case");
+}
+
+TEST_CASE("a setting reaches into a law of a shipped material") {
+  const std::string text = replaced(small_case, "temperature =", "delta = 0.3\ntemperature =");
+  const Case made =
+      load(replaced(text, "\"Al2O3\"", "\"SrFeO3\""), {"materials.SrFeO3.redox.rate.factor=0.1"});
+  const auto& rate = std::get<PowerRate>(material(made, "SrFeO3").redox->rate);
+  CHECK(rate.factor == 0.1);
+  CHECK(rate.pre_exponential == 623);
+}
+
+TEST_CASE("a new material wants every figure of its use and its contact pairs") {
+  const std::string glass =
+      "[materials.glass]\ndensity = \"2500 kg/m3\"\n"
+      "heat = {law = \"constant\", heat_capacity = \"800 J/kg/K\"}\n";
+  const auto faults = faults_of(replaced(small_case, "\"Al2O3\"", "\"glass\"") + glass);
+  REQUIRE(faults.size() == 3);
+  CHECK_THAT(faults[0], Contains("x.toml:7:1: materials.glass.young_soft: is missing"));
+  CHECK_THAT(faults[1], Contains("contacts.\"glass|glass\": is missing"));
+  CHECK_THAT(faults[2], Contains("contacts.\"coated-wall|glass\": is missing"));
+}
+
+TEST_CASE("mistakes in contact pairs are faults, used or not") {
+  const auto faults = faults_of(small_case +
+                                "[contacts.\"Al2O3|coated-wal\"]\nfriction = 1.0\n"
+                                "[contacts.\"SrFeO3|Al2O3\"]\nrestitution = 1.5\n"
+                                "[contacts.Al2O3]\nfriction = 0.1\n");
+  std::string all;
+  for (const auto& fault : faults) all += fault + "\n";
+  CHECK_THAT(all, Contains("material 'coated-wal' is unknown; did you mean 'coated-wall'?"));
+  CHECK_THAT(all, Contains("contacts.\"Al2O3|SrFeO3\".restitution: 1.5 is out of range"));
+  CHECK_THAT(all, Contains("wanted a pair of materials"));
+}

@@ -1,0 +1,69 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "helpers.hpp"
+
+using namespace pmr;
+using namespace pmr::test;
+
+namespace {
+Case shipped(const std::string& name) {
+  return casefile::load_case(PMR_SOURCE_DIR "/cases/" + name + ".toml");
+}
+}  // namespace
+
+TEST_CASE("every shipped case loads, and loads again from its text") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PMR_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    INFO(entry.path());
+    const Case made = casefile::load_case(entry.path());
+    const Case again = load(made.text);
+    CHECK(again.walls.surfaces.size() == made.walls.surfaces.size());
+    CHECK(again.species.size() == made.species.size());
+    CHECK(again.text == made.text);
+    CHECK(made.text.front() == '#');  // opens with a comment
+    ++count;
+  }
+  CHECK(count >= 9);
+}
+
+// 1 kg of each: 19,363 beads of 5.165e-5 kg and 173,769 granules of 5.755e-6 kg, by diameter and
+// density of the study (rho pi d^3 / 6).
+TEST_CASE("a kilogram is 19363 beads and 173769 granules") {
+  const Case made = shipped("demonstrator");
+  REQUIRE(made.species.size() == 2);
+  CHECK(made.species[0].name == "Al2O3");
+  CHECK(made.species[0].count == 19363);
+  CHECK(made.species[1].count == 173769);
+  CHECK(*made.models.mechanics.time_step == Approx(2e-5).epsilon(1e-15));
+}
+
+TEST_CASE("the small cases hold the same 3862 spheres, hot or ambient") {
+  for (const char* name : {"demonstrator-small", "demonstrator-small-ambient", "adiabatic-small"}) {
+    const Case made = shipped(name);
+    CHECK(made.species.at(0).count == 387);
+    CHECK(made.species.at(1).count == 3475);
+    CHECK(made.react->end >= 1800.0);
+  }
+}
+
+TEST_CASE("the heat network of the small rig stays below 120 wall patches") {
+  std::size_t patches = 0;
+  for (const Surface& surface : shipped("demonstrator-small").walls.surfaces)
+    patches += std::size_t{surface.patches[0]} * surface.patches[1];
+  CHECK(patches < 120);
+}
+
+TEST_CASE("the adiabatic case has no wall that takes heat") {
+  for (const Surface& surface : shipped("adiabatic-small").walls.surfaces)
+    CHECK(std::holds_alternative<Adiabatic>(surface.thermal));
+}
+
+TEST_CASE("layers of the decomposition add up to the bed without the residuum") {
+  const Case made = shipped("demonstrator");
+  double sum = 0.0;
+  for (const double fraction : made.decomposition->layer_fraction) sum += fraction;
+  CHECK(sum == Approx(1.0 - 197.02 / 1999.03).epsilon(1e-4));  // residuum over the mean total, g
+  CHECK(made.decomposition->reference_mass_ratio.empty());
+}

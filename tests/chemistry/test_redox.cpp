@@ -1,0 +1,81 @@
+// Equilibrium of the ferrite: what must hold for any parameters. Values are checked in src/verify.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "chemistry/redox.hpp"
+#include "pmr/base/constants.hpp"
+#include "verify/reference_materials.hpp"
+
+using namespace pmr;
+using namespace pmr::chemistry;
+
+namespace {
+const RedoxEquilibrium eq = verify::reference_ferrite().redox->equilibrium;
+
+// Central difference; error h^2 f'''/6 plus rounding eps f/h.
+template <class F>
+double slope(const F& f, double x, double h) {
+  return (f(x + h) - f(x - h)) / (2.0 * h);
+}
+}  // namespace
+
+TEST_CASE("the slopes of ln p are those of its differences") {
+  for (const double delta : {0.05, 0.25, 0.295, 0.33, 0.47})
+    for (const double T : {400.0, 700.0, 1300.0}) {
+      const double by_delta =
+          slope([&](double d) { return ln_equilibrium_pressure(eq, T, d); }, delta, 1e-6);
+      const double by_T =
+          slope([&](double t) { return ln_equilibrium_pressure(eq, t, delta); }, T, 1e-2);
+      CHECK(ln_pressure_delta_slope(eq, T, delta) == Approx(by_delta).epsilon(1e-7));
+      CHECK(ln_pressure_temperature_slope(eq, T, delta) == Approx(by_T).epsilon(1e-8));
+    }
+}
+
+TEST_CASE("dh is the slope of H, and its own slope is right") {
+  CHECK(std::abs(reduction_heat(eq, 0.0)) < 1e-9);  // J/mol, against 2e4 in use
+  for (const double delta : {0.01, 0.2, 0.295, 0.3, 0.49}) {
+    const double by_delta = slope([&](double d) { return reduction_heat(eq, d); }, delta, 1e-5);
+    CHECK(reduction_enthalpy(eq, delta) == Approx(by_delta).epsilon(1e-6));
+    const double second = slope([&](double d) { return reduction_enthalpy(eq, d); }, delta, 1e-6);
+    CHECK(reduction_enthalpy_slope(eq, delta) == Approx(second).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("delta_eq is where p_eq equals the pressure") {
+  for (double T = 300.0; T <= 1500.0; T += 50.0)
+    for (double p = 1e-2; p <= 1e5; p *= 10.0) {
+      const double delta = equilibrium_delta(eq, T, p);
+      // delta is good to about eps (1 + its distance from the limit): a few ulps of ln p's slope.
+      const double ulps = 8.0 * 0x1p-52 * (1.0 + std::abs(ln_pressure_delta_slope(eq, T, delta)));
+      CHECK(std::abs(ln_equilibrium_pressure(eq, T, delta) - std::log(p / bar)) < 20.0 * ulps);
+    }
+}
+
+TEST_CASE("delta_eq stays inside its domain in the extremes") {
+  for (const double T : {150.0, 300.0, 3000.0})
+    for (const double p : {1e-12, 1.0, 1e8}) {
+      const double delta = equilibrium_delta(eq, T, p);
+      CHECK(delta > 0.0);
+      CHECK(delta < eq.delta_limit);
+      CHECK_FALSE(std::isnan(equilibrium_pressure(eq, T, delta)));
+    }
+}
+
+TEST_CASE("delta outside its domain is answered by NaN") {
+  for (const double delta : {-0.1, 0.0, 0.5, 0.6, std::nan("")})
+    CHECK(std::isnan(equilibrium_pressure(eq, 1000.0, delta)));
+}
+
+TEST_CASE("the range of the fit is known") {
+  CHECK(is_within_fit(eq, 1000.0, 0.35, 1e4));
+  CHECK_FALSE(is_within_fit(eq, 500.0, 0.35, 1e4));
+  CHECK_FALSE(is_within_fit(eq, 1000.0, 0.2, 1e4));
+  CHECK_FALSE(is_within_fit(eq, 1000.0, 0.35, 1.0));
+}
+
+TEST_CASE("iron per volume times molar mass is the density") {
+  const Material ferrite = verify::reference_ferrite();
+  const double mass = molar_mass(*ferrite.redox, ferrite.redox->density_delta);
+  CHECK(iron_concentration(ferrite) * mass == Approx(ferrite.density).epsilon(1e-15));
+  CHECK_THROWS_AS(iron_concentration(verify::reference_alumina()), std::logic_error);
+}

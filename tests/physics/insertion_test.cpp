@@ -1,0 +1,125 @@
+// The opening state.
+#include "physics/insertion.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "mechanics_scene.hpp"
+#include "physics/neighbours.hpp"
+#include "pmr/base/constants.hpp"
+
+using namespace pmr;
+using namespace pmr::test;
+
+namespace {
+
+// A tube of the small rig, 12 mm with a 2 mm rod, for spheres of diameter d [m].
+Case tube(double d, std::size_t count, double height) {
+  Case c = bare_case();
+  c.species.resize(1);
+  c.species[0].diameter = d;
+  c.species[0].count = count;
+  c.species[0].region = CylinderRegion{Vec3(0.01, 0, 0.02), 0.012, 0.002, height};
+  c.domain_low = Vec3::Constant(-1.0);
+  c.domain_high = Vec3::Constant(1.0);
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("A tube holds all its particles, apart from each other, between rod and wall") {
+  for (const double d : {2.99e-3, 1.47e-3}) {
+    const std::size_t count = d > 2e-3 ? 387 : 3475;
+    const Case c = tube(d, count, 0.05);
+    const Particles p = physics::insert(c);
+    REQUIRE(p.size() == count);
+    CHECK(physics::pairs_within(p, 0.0).empty());
+    double top = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double r = (p.position[i] - Vec3(0.01, 0, 0)).head<2>().norm();
+      CHECK(r - 0.5 * d >= 0.002);
+      CHECK(r + 0.5 * d <= 0.012);
+      CHECK(p.id[i] == i);
+      top = std::max(top, p.position[i][2] + 0.5 * d - 0.02);
+    }
+    // Settled beds have about 0.55 in a tube this narrow; the lattice takes half as much again.
+    const double settled = static_cast<double>(count) * pi / 6.0 * d * d * d /
+                           (0.55 * pi * (0.012 * 0.012 - 0.002 * 0.002));
+    CHECK(top < 1.55 * settled);
+    CHECK(p.mass[0] == Approx(3500.0 * pi / 6.0 * d * d * d));
+    CHECK(p.temperature[0] == 300.0);
+  }
+}
+
+TEST_CASE("Two species that share a region are mixed in proportion over its height") {
+  Case c = bare_case();
+  fill(c, 300, 1200, 0.012, 0.0);
+  const Particles p = physics::insert(c);
+  CHECK(physics::pairs_within(p, 0.0).empty());
+  std::vector<double> heights[2];
+  for (std::size_t i = 0; i < p.size(); ++i) heights[p.species[i]].push_back(p.position[i][2]);
+  REQUIRE(heights[0].size() == 300);
+  REQUIRE(heights[1].size() == 1200);
+  double mean[2];
+  for (int s = 0; s < 2; ++s) {
+    mean[s] = 0.0;
+    for (const double z : heights[s]) mean[s] += z / static_cast<double>(heights[s].size());
+  }
+  CHECK(std::abs(mean[0] - mean[1]) < 2.0 * radius);  // a layer
+}
+
+TEST_CASE("A region that is too small says what fits and what it takes") {
+  const Case c = tube(2.99e-3, 387, 0.02);
+  const auto faults = physics::insertion_faults(c);
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0].problem, Catch::Contains("of 387") && Catch::Contains("need a height"));
+  CHECK_THROWS_AS(physics::insert(c), CaseError);
+  const auto narrow = physics::insertion_faults(tube(11e-3, 5, 0.02));
+  REQUIRE(narrow.size() == 1);
+  CHECK_THAT(narrow[0].problem, Catch::Contains("too narrow"));
+}
+
+TEST_CASE("Explicit particles that overlap or lie outside are faults, all reported") {
+  Case c = bare_case();
+  add_particle(c, Vec3::Zero(), Vec3(1, 2, 3), Vec3(4, 5, 6));
+  add_particle(c, Vec3(1.95e-3, 0, 0), Vec3::Zero());  // 5 %
+  CHECK(physics::insertion_faults(c).empty());
+  c.particles[1].radius = 1.2e-3;  // 25 %
+  add_particle(c, Vec3(0, 0, 5), Vec3::Zero());
+  const auto faults = physics::insertion_faults(c);
+  REQUIRE(faults.size() == 2);
+  CHECK(faults[0].key == "particles[2]");
+  CHECK(faults[1].key == "particles[1]");
+}
+
+TEST_CASE("Explicit particles keep what was asked for") {
+  Case c = bare_case();
+  add_particle(c, Vec3(1e-3, 0, 0), Vec3(1, 2, 3), Vec3(4, 5, 6));
+  c.particles[0].temperature = 900.0;
+  c.particles[0].radius = 0.7e-3;
+  const Particles p = physics::insert(c);
+  CHECK(p.velocity[0] == Vec3(1, 2, 3));
+  CHECK(p.spin[0] == Vec3(4, 5, 6));
+  CHECK(p.temperature[0] == 900.0);
+  CHECK(p.radius[0] == 0.7e-3);
+}
+
+TEST_CASE("Pairs within reach agree with looking at all pairs") {
+  Case c = bare_case();
+  fill(c, 100, 400, 0.012, 0.0);
+  const Particles p = physics::insert(c);
+  for (const double reach : {0.1, 0.5, 1.0}) {
+    const auto pairs = physics::pairs_within(p, reach);
+    std::size_t k = 0;
+    bool same = true;
+    for (std::uint32_t i = 0; i < p.size(); ++i)
+      for (std::uint32_t j = i + 1; j < p.size(); ++j) {
+        const double gap = (p.position[i] - p.position[j]).norm() - (p.radius[i] + p.radius[j]);
+        if (gap >= reach * std::min(p.radius[i], p.radius[j])) continue;
+        same =
+            same && k < pairs.size() && pairs[k].i == i && pairs[k].j == j && pairs[k].gap == gap;
+        ++k;
+      }
+    CHECK(same);
+    CHECK(k == pairs.size());
+  }
+}

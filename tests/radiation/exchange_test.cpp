@@ -1,0 +1,126 @@
+#include "radiation/exchange.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "pmr/base/parallel.hpp"
+#include "scenes.hpp"
+
+using namespace pmr;
+using namespace pmr::radiation;
+
+namespace {
+
+// A bed in a grey box: spheres of two emissivities, five grey walls, an adiabatic lid.
+TracedExchange trace_bed(int threads) {
+  const ThreadLimit limit(threads);
+  const auto spheres = jittered_lattice(8);
+  const auto walls = inward_box(Vec3::Constant(-1.05e-3), Vec3::Constant(15.36e-3), 512);
+  std::vector<double> emissivity(519, 0.8), area(519, sphere_area(1e-3));
+  for (std::uint32_t node = 0; node < 512; node += 3) emissivity[node] = 0.4;
+  for (std::uint32_t node = 512; node < 518; ++node) area[node] = 16.41e-3 * 16.41e-3;
+  emissivity[517] = 0.0;
+  return trace({spheres, walls, emissivity, area, 519, 60.0, 5, 2});
+}
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("one and two threads give the same exchange, bit by bit") {
+  const auto one = trace_bed(1), two = trace_bed(2);
+  CHECK(same_bits(one.exchange.factor.start, two.exchange.factor.start));
+  CHECK(same_bits(one.exchange.factor.column, two.exchange.factor.column));
+  CHECK(same_bits(one.exchange.factor.value, two.exchange.factor.value));
+  CHECK(same_bits(one.report.self, two.report.self));
+  CHECK(one.exchange.relative_error == two.exchange.relative_error);
+}
+
+TEST_CASE("a closed bed loses nothing to the surroundings and an adiabatic wall has no entries") {
+  const auto bed = trace_bed(2);
+  CHECK(bed.exchange.factor.columns(517).empty());
+  CHECK(bed.exchange.factor.columns(518).empty());
+  CHECK(bed.report.self[517] == 0.0);
+  CHECK(bed.report.unfinished == 0);
+}
+
+TEST_CASE("columns ascend, factors are positive and the diagonal is left out") {
+  const auto bed = trace_bed(2);
+  const Csr& factor = bed.exchange.factor;
+  REQUIRE(factor.rows() == 519);
+  for (std::uint32_t i = 0; i < factor.rows(); ++i) {
+    const auto columns = factor.columns(i);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k] == i || factor.values(i)[k] <= 0.0) FAIL("row " << i);
+      if (k > 0 && columns[k] <= columns[k - 1]) FAIL("row " << i);
+    }
+  }
+}
+
+TEST_CASE("an empty scene has an empty exchange") {
+  const auto traced = trace({{}, {}, {0.8, 0.8, 1.0}, {1.0, 1.0, 0.0}, 3, 100.0, 1, 0});
+  CHECK(traced.exchange.factor.rows() == 3);
+  CHECK(traced.exchange.factor.entries() == 0);
+  CHECK(traced.exchange.rays == 0.0);
+}
+
+TEST_CASE("a lone sphere sends everything to the surroundings") {
+  const std::vector<Sphere> spheres{{Vec3(0.1, 0.2, 0.3), 1.5e-3, 0}};
+  const double area = sphere_area(1.5e-3);
+  const auto traced = trace({spheres, {}, {0.8, 1.0}, {area, 0.0}, 2, 1000.0, 1, 0});
+  REQUIRE(traced.exchange.factor.entries() == 2);
+  CHECK(traced.exchange.rays == 1000.0);
+  // eps A by definition; 1000 equal parts add up to it within rounding.
+  CHECK(traced.exchange.factor.value[0] == Approx(0.8 * area).epsilon(1e-12));
+  CHECK(traced.exchange.factor.value[1] == traced.exchange.factor.value[0]);
+}
+
+TEST_CASE("a perfectly reflecting box gives a sphere all its light back") {
+  const std::vector<Sphere> spheres{{Vec3(0.1, 0.0, -0.2), 1.0, 0}};
+  const auto walls = inward_box(Vec3::Constant(-2.0), Vec3::Constant(2.0), 1);
+  std::vector<double> emissivity(8, 0.0), area(8, 16.0);
+  emissivity[0] = 0.3;
+  area[0] = sphere_area(1.0);
+  const auto traced = trace({spheres, walls, emissivity, area, 8, 20000.0, 1, 0});
+  CHECK(traced.exchange.factor.entries() == 0);
+  CHECK(traced.report.self[0] == Approx(0.3 * area[0]).epsilon(1e-12));
+  CHECK(traced.report.unfinished == 0);
+}
+
+TEST_CASE("a black cube takes a sixth of its central sphere's light with each face") {
+  const std::vector<Sphere> spheres{{Vec3::Zero(), 1.0, 0}};
+  const auto walls = inward_box(Vec3::Constant(-2.0), Vec3::Constant(2.0), 1);
+  const Tracer tracer(spheres, walls);
+  const std::uint64_t rays = 600000;
+  const auto counts = view_counts(tracer, 0, rays, 3, 8);
+  CHECK(counts[0] == 0);
+  CHECK(counts[7] == 0);
+  // 4 binomial standard errors: 4 sqrt(n p (1 - p)) = 1155; each fails by chance in 6e-5.
+  for (std::size_t face = 1; face <= 6; ++face)
+    CHECK(static_cast<double>(counts[face]) == Approx(100000.0).margin(1155.0));
+}
+
+TEST_CASE("rays are dealt in proportion to what is emitted, one at least") {
+  const std::vector<Sphere> spheres{{Vec3::Zero(), 1.0, 0}, {Vec3(5.0, 0.0, 0.0), 2.0, 1}};
+  const std::vector<Triangle> plate{
+      {{Vec3(0.0, 0.0, 9.0), Vec3(0.0, 1e-3, 9.0), Vec3(1e-3, 0.0, 9.0)}, 2}};
+  const std::vector<double> area{sphere_area(1.0), sphere_area(2.0), 5e-7, 0.0};
+  const auto traced = trace({spheres, plate, {0.8, 0.4, 0.8, 1.0}, area, 4, 100.0, 1, 0});
+  CHECK(traced.exchange.rays == 100.0 + 200.0 + 1.0);
+}
+
+TEST_CASE("each step draws fresh rays") {
+  const auto spheres = jittered_lattice(3);
+  const std::vector<double> emissivity(28, 0.5), area(28, sphere_area(1e-3));
+  const auto first = trace({spheres, {}, emissivity, area, 28, 200.0, 1, 0});
+  const auto second = trace({spheres, {}, emissivity, area, 28, 200.0, 1, 1});
+  CHECK_FALSE(same_bits(first.exchange.factor.value, second.exchange.factor.value));
+}
+
+TEST_CASE("an emissivity above one is refused") {
+  const std::vector<Sphere> spheres{{Vec3::Zero(), 1.0, 0}};
+  CHECK_THROWS_AS(trace({spheres, {}, {1.1, 1.0}, {1.0, 0.0}, 2, 1.0, 1, 0}), std::logic_error);
+}

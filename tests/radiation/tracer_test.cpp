@@ -1,0 +1,108 @@
+#include "radiation/tracer.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "radiation/exchange.hpp"
+#include "radiation/sampling.hpp"
+#include "scenes.hpp"
+
+using namespace pmr;
+using namespace pmr::radiation;
+
+TEST_CASE("a sphere never hits itself, far from the middle of a large scene") {
+  // 2 mm spheres at the corners of 200 mm: 50 diameters from the tree's origin.
+  std::vector<Sphere> spheres;
+  for (std::uint32_t k = 0; k < 8; ++k)
+    spheres.push_back({0.2 * Vec3(k & 1, k >> 1 & 1, k >> 2 & 1), 1e-3, k});
+  const Tracer tracer(spheres, {});
+  for (std::uint32_t k = 0; k < 8; ++k) CHECK(view_counts(tracer, k, 200000, 1, 9)[k] == 0);
+}
+
+TEST_CASE("the excluded primitive is passed through") {
+  const std::vector<Sphere> spheres{{Vec3::Zero(), 1.0, 10}, {Vec3(5.0, 0.0, 0.0), 1.0, 11}};
+  const Scene scene(spheres, {});
+  const Ray ray{Vec3(-3.0, 0.0, 0.0), Vec3::UnitX()};
+  CHECK(scene.nearest(ray).node == 10);
+  CHECK(scene.nearest(ray).distance == Approx(2.0).epsilon(1e-6));
+  CHECK(scene.nearest(ray, 0).node == 11);
+  CHECK(scene.nearest({ray.origin, ray.direction, 6.0}).node == 11);
+  CHECK(scene.nearest({ray.origin, -ray.direction}).is_empty());
+}
+
+TEST_CASE("a ray that starts inside an overlapping neighbour hits that neighbour") {
+  // 1 reaches 0.1 into 0, and 2 into 1 from behind, whose front would come first after 1's inside.
+  const std::vector<Sphere> spheres{
+      {Vec3::Zero(), 1.0, 0}, {Vec3(1.9, 0.0, 0.0), 1.0, 1}, {Vec3(3.8, 0.0, 0.0), 1.0, 2}};
+  const Tracer tracer(spheres, {});
+  const Vec3 x = Vec3::UnitX();
+  const Hit hit = tracer.follow({0, x, x, x});
+  CHECK(hit.node == 1);
+  CHECK(hit.distance == 0.0);
+  CHECK(hit.normal.x() == Approx(-1.0));
+  CHECK(tracer.follow({0, -x, -x, -x}).is_empty());
+}
+
+TEST_CASE("what a wall cuts off a sphere lands on the wall") {
+  // Closed box; the sphere sinks 0.05 into its floor and into a side.
+  const std::vector<Sphere> spheres{{Vec3(0.95, 2.0, 0.95), 1.0, 0}};
+  const auto walls = inward_box(Vec3::Zero(), Vec3::Constant(4.0), 1);
+  const Tracer tracer(spheres, walls);
+  const Hit down = tracer.follow({0, -Vec3::UnitZ(), -Vec3::UnitZ(), -Vec3::UnitZ()});
+  CHECK(down.node == 5);  // low z
+  CHECK(down.distance == 0.0);
+  CHECK(down.normal.z() == 1.0);
+  const auto counts = view_counts(tracer, 0, 1000000, 1, 8);
+  CHECK(counts[0] == 0);
+  CHECK(counts[7] == 0);
+}
+
+TEST_CASE("a wall covered by a sphere that sinks into it sends its rays into the sphere") {
+  const std::vector<Sphere> spheres{{Vec3(0.0, 0.0, 0.95), 1.0, 0}};
+  const std::vector<Triangle> floor{
+      {{Vec3(-9.0, -9.0, 0.0), Vec3(9.0, -9.0, 0.0), Vec3(0.0, 9.0, 0.0)}, 1}};
+  const Tracer tracer(spheres, floor);
+  const Hit hit = tracer.follow({1, Vec3(0.1, 0.0, 0.0), Vec3::UnitZ(), Vec3::UnitZ()});
+  CHECK(hit.node == 0);
+  CHECK(hit.distance == 0.0);
+}
+
+TEST_CASE("a triangle is hit from both sides and its normal meets the ray") {
+  const std::vector<Triangle> plate{
+      {{Vec3(-1.0, -1.0, 0.0), Vec3(1.0, -1.0, 0.0), Vec3(0.0, 1.0, 0.0)}, 4}};
+  const Scene scene({}, plate);
+  CHECK(scene.nearest({Vec3::UnitZ(), -Vec3::UnitZ()}).normal.z() == 1.0);
+  CHECK(scene.nearest({-Vec3::UnitZ(), Vec3::UnitZ()}).normal.z() == -1.0);
+}
+
+TEST_CASE("the grid finds what a search of all spheres finds") {
+  auto spheres = jittered_lattice(9);
+  for (std::size_t i = 0; i < spheres.size(); i += 5) spheres[i].radius = 2.2e-3;
+  spheres.push_back({Vec3(0.5, 0.5, 0.5), 1e-3, 0});  // far out
+  const SphereGrid grid(spheres);
+  for (std::size_t i = 0; i < spheres.size(); i += 7) {
+    std::vector<std::uint32_t> found, expected;
+    grid.find(spheres, spheres[i].centre, 1.1e-3, found);
+    for (std::uint32_t j = 0; j < spheres.size(); ++j)
+      if ((spheres[j].centre - spheres[i].centre).norm() < spheres[j].radius + 1.1e-3)
+        expected.push_back(j);
+    std::sort(found.begin(), found.end());
+    CHECK(found == expected);
+  }
+}
+
+TEST_CASE("diffuse directions have Lambert's moments about any normal") {
+  // E cos = 2/3, E cos^2 = 1/2; variance of cos 1/2 - 4/9 = 1/18; 4 standard errors.
+  const int n = 100000;
+  for (const Vec3& normal :
+       {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.6, -0.8, 0), Vec3(0.48, 0.6, -0.64)}) {
+    Random random(3, Purpose::test, 1);
+    Vec3 mean = Vec3::Zero();
+    for (int k = 0; k < n; ++k) {
+      const double u = random.uniform();
+      mean += diffuse(normal, u, random.uniform()) / n;
+    }
+    CHECK(mean.dot(normal) == Approx(2.0 / 3.0).margin(4.0 * std::sqrt(1.0 / 18.0 / n)));
+    // across: each component has variance 1/4, so the length of the mean is below 5 of its errors
+    CHECK((mean - mean.dot(normal) * normal).norm() < 5.0 * std::sqrt(0.25 / n));
+  }
+}

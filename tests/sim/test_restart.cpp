@@ -1,0 +1,81 @@
+// Same bits on any number of threads, and over stop and resume, with moving walls and all physics.
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <filesystem>
+
+#include "case/case.hpp"
+#include "io/run_file.hpp"
+#include "pmr/base/parallel.hpp"
+#include "sim/ledger.hpp"
+#include "sim/simulation.hpp"
+
+namespace fs = std::filesystem;
+using namespace pmr;
+
+namespace {
+
+const std::atomic<bool> never{false};
+
+Case tiny() { return casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml"); }
+
+// A run folder of its own, removed with the value.
+struct Folder {
+  fs::path path;
+  explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("pmr-test-" + name)) {
+    fs::remove_all(path);
+    fs::create_directories(path);
+    io::create_run(path, {});
+  }
+  ~Folder() { fs::remove_all(path); }
+};
+
+std::uint64_t hash_of_whole_run(int threads, const std::string& name) {
+  const ThreadLimit limit(threads);
+  const Folder folder(name);
+  const Case c = tiny();
+  sim::Simulation simulation(c, folder.path);
+  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  return io::state_hash(simulation.state());
+}
+
+}  // namespace
+
+TEST_CASE("A run has the same bits on one and on two threads") {
+  CHECK(hash_of_whole_run(1, "one") == hash_of_whole_run(2, "two"));
+}
+
+TEST_CASE("A run that is stopped in any phase and resumed has the bits of one that is not") {
+  const std::uint64_t whole = hash_of_whole_run(2, "whole");
+  const Case c = tiny();
+  for (const std::uint64_t stop_after : {3U, 15U, 30U, 60U}) {
+    const Folder folder("stopped");
+    {
+      std::atomic<bool> stop{false};
+      sim::Simulation first(c, folder.path);
+      const auto ending = first.run(stop, [&](const sim::Simulation& now) {
+        stop = now.state().interval >= stop_after;
+      });
+      REQUIRE(ending == sim::Ending::stopped);
+    }
+    State state = io::load_checkpoint(folder.path);
+    INFO("stopped at interval " << state.interval << ", t = " << state.time << " s");
+    sim::Simulation second(c, folder.path, std::move(state));
+    REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+    CHECK(io::state_hash(second.state()) == whole);
+  }
+}
+
+TEST_CASE("The books of a whole run close, and no particle is lost") {
+  const Folder folder("books");
+  const Case c = tiny();
+  sim::Simulation simulation(c, folder.path);
+  simulation.run(never, [](const auto&) {});
+  const sim::Balance balance = sim::close_books(c, simulation.state());
+  CHECK(balance.energy_relative < sim::energy_limit);
+  CHECK(balance.oxygen_relative < sim::oxygen_limit);
+  CHECK(balance.alive == 140);
+  CHECK(balance.lost == 0);
+  CHECK(simulation.state().fluxes.oxygen_released > 0.0);
+  CHECK(io::read_series(folder.path).rows() > 50);
+}
