@@ -1,7 +1,10 @@
 #include "verify/mechanics_collisions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"

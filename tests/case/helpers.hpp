@@ -1,5 +1,6 @@
 // A small valid case, changed by each test, and its faults as text.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ duration = "1 s"
 rest_speed = "2 mm/s"
 rest_hold = "20 ms"
 )";
+
+inline std::string temporary(const std::string& name) {
+  return (std::filesystem::temp_directory_path() / name).string();
+}
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const std::size_t at = text.find(what);

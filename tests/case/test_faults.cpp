@@ -124,7 +124,7 @@ TEST_CASE("heat models want the walls' thermal boundary and the gas") {
 }
 
 TEST_CASE("a CSV file of particles is read with the units of its header") {
-  const std::string file = "/tmp/pmr_test_particles.csv";
+  const std::string file = temporary("pmr_test_particles.csv");
   std::ofstream(file) << "species,x [mm],y [mm],z [mm],vx [m/s],temperature [degC]\n"
                          "bead,1,2,3,0.5,100\nbead,-1,2,3,0,200\n";
   std::string text = replaced(small_case, "mass = \"10 g\"\n", "");

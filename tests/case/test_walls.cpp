@@ -41,7 +41,7 @@ double area(const Facet& facet) {
 }  // namespace
 
 TEST_CASE("an STL cube becomes six flat facets of one body") {
-  const std::string file = "/tmp/pmr_test_cube.stl";
+  const std::string file = temporary("pmr_test_cube.stl");
   std::ofstream(file) << cube_stl();
   const Case made = load(stl_case(file));
   REQUIRE(made.walls.bodies.size() == 2);
@@ -58,7 +58,7 @@ TEST_CASE("an STL cube becomes six flat facets of one body") {
 }
 
 TEST_CASE("a bad STL triangle is named by its number, a broken file by its name") {
-  const std::string file = "/tmp/pmr_test_bad.stl";
+  const std::string file = temporary("pmr_test_bad.stl");
   std::string text = cube_stl();
   text = replaced(text, "vertex 1.000000 1.000000 0.000000", "vertex 0.000000 0.000000 0.000000");
   std::ofstream(file) << text;
@@ -70,7 +70,7 @@ TEST_CASE("a bad STL triangle is named by its number, a broken file by its name"
 }
 
 TEST_CASE("an STL wall without a scale is a fault: the format has no unit") {
-  const std::string file = "/tmp/pmr_test_cube.stl";
+  const std::string file = temporary("pmr_test_cube.stl");
   std::ofstream(file) << cube_stl();
   CHECK_THAT(faults_of(replaced(stl_case(file), "scale = \"1 mm\"\n", "")).at(0),
              Contains("walls.cube.scale: is missing; wanted a length"));
