@@ -65,9 +65,9 @@ class Course {
   }
 
  private:
-  static bool is_rate(const std::string& column) { return column.rfind("d/dt ", 0) == 0; }
+  static bool is_rate(const std::string& column) { return column.rfind("rate of ", 0) == 0; }
   static std::string source(const std::string& column) {
-    return is_rate(column) ? column.substr(5) : column;
+    return is_rate(column) ? column.substr(8) : column;
   }
   bool has(std::size_t r, const std::string& column) const {
     return runs_[r]->series.has(source(column)) && runs_[r]->series.rows() > 1;
@@ -210,7 +210,7 @@ std::string gas_and_heat(Course& course) {
   html += course.chart("heat", "Heat moved since the start, by path", {"heat", "kJ", false, 1e-3},
                        heat_lines(""), "no heat transfer in this case.");
   return html + course.chart("heat_flow", "Heat flow by path", {"heat flow", "W", true},
-                             heat_lines("d/dt "), "no heat transfer in this case.");
+                             heat_lines("rate of "), "no heat transfer in this case.");
 }
 
 const char* toggle =

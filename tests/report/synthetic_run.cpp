@@ -176,7 +176,7 @@ const char* summary_text = R"({
   "sections": [[5.1,4.6,4.1,3.9,4.4,3.6,4.0,4.8],[4.2,3.6,2.9,2.5,2.8,2.7,3.1,3.9],[2.6,2.0,1.3,1.1,1.6,1.2,1.4,2.1],
    [1.0,0.8,0.6,0.5,0.8,0.6,0.7,0.9],[0.4,0.35,0.3,0.25,0.33,0.28,0.31,0.36],[0.3,0.25,0.2,0.18,0.24,0.19,0.22,0.26],
    [0.8,0.7,0.6,0.5,0.6,0.55,0.6,0.7]]},
- "thermal": {"temperature_mean": {"Al2O3": 1147.2, "SrFeO3": 1144.9}, "temperature_std": {"Al2O3": 6.1, "SrFeO3": 7.83},
+ "thermal": {"temperature_mean": {"Al2O3": 1147.2, "SrFeO3": 1145.05}, "temperature_std": {"Al2O3": 6.1, "SrFeO3": 7.83},
    "biot_max": {"Al2O3": 0.04, "SrFeO3": 0.13}, "heat_to_walls": 1850.0},
  "chemistry": {"delta_initial": 0.3269, "delta_final": 0.4521, "delta_std": 0.0071, "oxygen_released": 0.00702,
    "oxygen_pumped": 0.0068, "extent": 0.88, "reaction_heat": 1180.0},
