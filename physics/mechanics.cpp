@@ -14,6 +14,8 @@ namespace {
 
 // Particles of one task of the cheap passes over all particles.
 constexpr std::size_t kick_block = 2048;
+constexpr double steps_of_a_list = 20.0;  // [1] a list should last while particles are fast
+constexpr double thickest_skin = 5.0;     // [1] times the case's skin
 
 template <class Body>
 void timed(double& stage, const Body& body) {
@@ -94,10 +96,10 @@ void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings)
 
 void Mechanics::open(State& state) {
   Particles& p = state.particles;
-  double smallest = p.size() > 0 ? p.radius[0] : 1.0;
-  for (const double r : p.radius) smallest = std::min(smallest, r);
-  skin_ = case_.models.mechanics.skin * smallest;
-  reorder(state, spatial_order(p, 2.0 * smallest));
+  smallest_ = p.size() > 0 ? p.radius[0] : 1.0;
+  for (const double r : p.radius) smallest_ = std::min(smallest_, r);
+  speed_ = parallel_max(p.size(), 0.0, [&](std::size_t i) { return p.velocity[i].norm(); });
+  reorder(state, spatial_order(p, 2.0 * smallest_));
   spheres_ = gather_spheres(p);
   lost_.clear();
   dissipated_ = 0.0;
@@ -185,7 +187,11 @@ bool Mechanics::lists_are_due(double t0, double t1) {
 
 void Mechanics::refresh_lists() { rebuild_lists(pairs_.history(spheres_), walls_.history()); }
 
+// A bed at rest wants a thin skin, few candidates; a fast stream a thick one, few rebuilds. The
+// forces do not depend on it.
 void Mechanics::rebuild_lists(const ContactHistory& pairs, const ContactHistory& walls) {
+  const double least = case_.models.mechanics.skin * smallest_;
+  skin_ = std::clamp(2.0 * steps_of_a_list * speed_ * dt_, least, thickest_skin * least);
   pairs_.rebuild(spheres_, skin_, pairs);
   walls_.rebuild(spheres_, skin_, walls);
   gone_ = 0.0;

@@ -54,7 +54,8 @@ class Mechanics {
 
   // Of the current call.
   Spheres spheres_;
-  double skin_ = 0.0;        // [m]
+  double smallest_ = 0.0;    // [m] radius
+  double skin_ = 0.0;        // [m] of the lists in use
   double speed_ = 0.0;       // [m/s] fastest particle in this sub-step
   double gone_ = 0.0;        // [m] bound on a particle's way since the lists were built
   double wall_gone_ = 0.0;   // [m] likewise of the walls

@@ -45,7 +45,8 @@ std::vector<std::uint64_t> deal_rays(const ExchangeInput& input, const Emitters&
   double least_sphere = std::numeric_limits<double>::infinity();  // [m2]
   double least_node = least_sphere;                               // [m2]
   const auto emits = [&](std::uint32_t node) {
-    return emission(input, node) > 0.0 && emitters.has_surface(node);
+    const bool reservoir = !input.reservoir.empty() && input.reservoir[node] != 0;
+    return !reservoir && emission(input, node) > 0.0 && emitters.has_surface(node);
   };
   for (const Sphere& s : input.spheres)
     if (emits(s.node)) least_sphere = std::min(least_sphere, emission(input, s.node));
@@ -107,6 +108,8 @@ void check(const ExchangeInput& input) {
   ensure(input.nodes >= 1, "there is a node for the surroundings");
   ensure(input.emissivity.size() == input.nodes && input.area.size() == input.nodes,
          "emissivity and area are given for each node");
+  ensure(input.reservoir.empty() || input.reservoir.size() == input.nodes,
+         "reservoirs are given for each node or not at all");
   for (std::uint32_t node = 0; node + 1 < input.nodes; ++node) {
     ensure(input.emissivity[node] >= 0.0 && input.emissivity[node] <= 1.0,
            "emissivities are within [0, 1]");

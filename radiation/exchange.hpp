@@ -26,6 +26,9 @@ struct ExchangeInput {
   double rays;                     // [1] of the sphere that emits least (no spheres: of the node)
   std::uint64_t seed;
   std::uint64_t step;  // tracings of one run are numbered: fresh rays each time
+  // Per node, 1: of given temperature, absorbs and needs no rays of its own, like the surroundings;
+  // empty: none.
+  std::vector<char> reservoir = {};
 };
 
 // What the exchange matrix leaves out.

@@ -29,7 +29,8 @@ struct Entry {
   std::uint64_t rays;  // [1] counted for it, both ways
 };
 
-// Merges the two estimates of row i. The surroundings do not emit: their column is one-sided.
+// Merges the two estimates of row i. Surroundings and reservoirs do not emit: their columns are
+// one-sided.
 std::vector<Entry> merge(const Counted& counted, const CountRow& out, const CountRow& in,
                          std::uint32_t i) {
   const auto surroundings = static_cast<std::uint32_t>(counted.rows.size() - 1);
@@ -46,7 +47,7 @@ std::vector<Entry> merge(const Counted& counted, const CountRow& out, const Coun
     const std::uint64_t received = b < in.size() && in[b].node == j ? in[b++].rays : 0;
     const double there = sent > 0 ? power(i) * static_cast<double>(sent) : 0.0;
     const double back = received > 0 ? power(j) * static_cast<double>(received) : 0.0;
-    const bool one_sided = i == surroundings || j == surroundings;
+    const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
     row.push_back({j, one_sided ? there + back : 0.5 * (there + back), sent + received});
   }
   return row;

@@ -44,6 +44,14 @@ std::vector<double> areas_of(const Case& c, const Nodes& nodes, const State& sta
   return area;
 }
 
+std::vector<char> reservoirs(const Case& c, const Nodes& nodes) {
+  std::vector<char> reservoir(nodes.radiating(), 0);
+  for (std::size_t k = 0; k < nodes.patches.size(); ++k)
+    reservoir[nodes.patch(k)] = std::holds_alternative<FixedTemperature>(
+        c.walls.surfaces[nodes.patches[k].surface].thermal);
+  return reservoir;
+}
+
 }  // namespace
 
 std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State& state) {
@@ -77,7 +85,7 @@ Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double r
   radiation::ExchangeInput input{spheres, triangles, emissivities(c, nodes, state),
                                  areas_of(c, nodes, state),
                                  static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
-                                 state.interval};
+                                 state.interval, reservoirs(c, nodes)};
   Exchange exchange = radiation::trace_exchange(input);
   exchange.traced_at = state.time;
   return exchange;

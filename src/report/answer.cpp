@@ -37,18 +37,20 @@ std::string more_figures(const std::vector<KeyFigure>& figures) {
   for (std::size_t k = 6; k < figures.size(); ++k)
     rows.push_back({escape(figures[k].label), with_unit(figures[k].quantity, figures[k].value),
                     badge(figures[k].verdict) + escape(figures[k].note)});
-  return element("details", element("summary", "More figures of this run") +
-                                table({"quantity", "value", "band or limit"}, rows,
-                                      "class=\"numbers\""));
+  return element("details",
+                 element("summary", "More figures of this run") +
+                     table({"quantity", "value", "band or limit"}, rows, "class=\"numbers\""));
 }
 
 std::string warnings(const RunData& run, const std::vector<KeyFigure>& figures) {
   std::string items;
   for (const Value& w : run.summary.items("warnings")) items += element("li", escape(w.as_text()));
   for (const KeyFigure& f : figures)
-    if (f.verdict == Verdict::attention)
+    if (is_worth_listing(f, run))
       items += element("li", escape(f.label) + ": " + with_unit(f.quantity, f.value) + " (" +
                                  escape(f.note) + ")");
+  if (items.empty() && !run.summary.has("warnings"))
+    return absent("The summary of this run records no warnings, nor that there were none.");
   if (items.empty())
     return element("p", "No model range was left and no limit was touched.", "class=\"good\"");
   return element("ul", items, "class=\"warnings\"");
@@ -61,8 +63,8 @@ std::string assumed(const RunData& run) {
   for (const Value& input : inputs)
     rows.push_back({"<code>" + escape(input.text("key")) + "</code>", escape(input.text("value")),
                     escape(input.text("source"))});
-  const std::string inputs_table = table({"input", "value", "why this value"}, rows,
-                                         "class=\"assumed\"");
+  const std::string inputs_table =
+      table({"input", "value", "why this value"}, rows, "class=\"assumed\"");
   const std::string title = std::to_string(rows.size()) + " assumed inputs that matter";
   if (rows.size() <= 6) return element("h4", title) + inputs_table;
   return element("details", element("summary", title) + inputs_table);
@@ -73,7 +75,8 @@ std::string assumed(const RunData& run) {
 Section answer_section(const RunData& run) {
   const std::vector<KeyFigure> figures = key_figures(run);
   std::string html;
-  for (const std::string& sentence : answer(run)) html += element("p", sentence, "class=\"answer\"");
+  for (const std::string& sentence : answer(run))
+    html += element("p", sentence, "class=\"answer\"");
   html += cards(figures) + more_figures(figures);
   html += element("h3", "What limits trust in this") + warnings(run, figures) + assumed(run);
   return {"answer", "Answer", html};

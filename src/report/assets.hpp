@@ -4,9 +4,9 @@
 
 namespace pmr::report {
 
-std::string_view asset_frame();  // report.html
-std::string_view asset_style();     // report.css
-std::string_view asset_script();    // all of our scripts, in order
-std::string_view asset_d3();        // d3.min.js
+std::string_view asset_frame();   // report.html
+std::string_view asset_style();   // report.css
+std::string_view asset_script();  // all of our scripts, in order
+std::string_view asset_d3();      // d3.min.js
 
 }  // namespace pmr::report

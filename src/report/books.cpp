@@ -48,9 +48,9 @@ class Flow {
 };
 
 struct HeatPaths {
-  double contact, gap, radiation;              // [J] beads to granules
-  double walls, reaction, surroundings, gas;   // [J] out of the bed
-  double beads;                                // [J] given by the beads in all
+  double contact, gap, radiation;             // [J] beads to granules
+  double walls, reaction, surroundings, gas;  // [J] out of the bed
+  double beads;                               // [J] given by the beads in all
   double exchanged() const { return contact + gap + radiation; }
   double lost() const {
     return std::max(0.0, walls) + std::max(0.0, surroundings) + std::max(0.0, gas);
@@ -62,8 +62,10 @@ HeatPaths heat_paths(const RunData& run) {
     const double heat = run.summary.number(std::string("heat_paths/") + key);
     return std::isfinite(heat) ? heat : 0.0;
   };
-  HeatPaths h{path("contact"), path("gap"),          path("radiation"), path("to_walls"),
-              path("reaction"), path("to_surroundings"), path("gas"), 0.0};
+  HeatPaths h{path("contact"),   path("gap"),
+              path("radiation"), path("to_walls"),
+              path("reaction"),  path("to_surroundings"),
+              path("gas"),       0.0};
   const SpeciesTotals& hot = run.species[*run.hottest()];
   h.beads = std::max(hot.first_enthalpy - hot.last_enthalpy, h.exchanged());
   return h;
@@ -80,8 +82,10 @@ void link_losses(Flow& flow, const char* from, double share, const HeatPaths& h)
 Flow energy_flow(const RunData& run, const HeatPaths& h) {
   Flow flow(1e-4 * h.beads);
   const std::size_t hot = *run.hottest(), cold = run.granules();
-  flow.node("beads", run.species[hot].name + " gave off", hex(species_colour(hot)), 0);
-  flow.node("granules", run.species[cold].name + " received", hex(species_colour(cold)), 1);
+  flow.node("beads", chemical(run.species[hot].name) + " gave off", hex(species_colour(hot)), 0);
+  flow.node("granules", "through the " + chemical(run.species[cold].name),
+            hex(species_colour(cold)), 1);
+  if (h.reaction < 0.0) flow.node("oxidation", "re-oxidation gave", "#009e73", 0);
   flow.node("stored", "warmer granules", hex(species_colour(cold)), 2);
   flow.node("reaction", "reaction", "#009e73", 2);
   flow.node("walls", "walls", "#8c564b", 2);
@@ -90,13 +94,19 @@ Flow energy_flow(const RunData& run, const HeatPaths& h) {
   flow.link("beads", "granules", h.radiation, "radiation", "#d55e00");
   flow.link("beads", "granules", h.contact, "contacts", "#0072b2");
   flow.link("beads", "granules", h.gap, "gas gaps", "#56b4e9");
+  flow.link("oxidation", "granules", -h.reaction, "re-oxidation", "#009e73");
   const double direct = std::min(h.beads - h.exchanged(), h.lost());
   const double from_beads = h.lost() > 0.0 ? direct / h.lost() : 0.0;
-  link_losses(flow, "beads", from_beads, h);
-  link_losses(flow, "granules", 1.0 - from_beads, h);
-  flow.link("granules", "reaction", h.reaction, "reaction", "#009e73");
   const double stored = h.exchanged() - h.reaction - (1.0 - from_beads) * h.lost();
+  if (stored < 0.0)
+    flow.node("cooled", chemical(run.species[cold].name) + " gave off", hex(species_colour(cold)),
+              0);
+  flow.link("cooled", "granules", -stored, "granules' own heat", "#0072b2");
+  // In the order in which they leave and arrive, so that ribbons don't cross.
   flow.link("granules", "stored", stored, "stored", "#0072b2");
+  flow.link("granules", "reaction", h.reaction, "reaction", "#009e73");
+  link_losses(flow, "granules", 1.0 - from_beads, h);
+  link_losses(flow, "beads", from_beads, h);
   return flow;
 }
 
@@ -105,12 +115,15 @@ std::string energy_chart(const RunData& run, Charts& charts) {
   if (!run.hottest() || run.hottest() == run.granules())
     return absent("No flow of energy: both species began at the same temperature.");
   const HeatPaths h = heat_paths(run);
-  if (!(h.beads > 0.0)) return absent("No flow of energy: the hotter species gave none off.");
+  const double hardly = 1e-4 * std::abs(run.species[*run.hottest()].first_enthalpy);  // [J]
+  if (!(h.exchanged() > hardly))
+    return absent("No flow of energy: the two species exchanged next to nothing.");
   Flow flow = energy_flow(run, h);
-  return charts.add("energy", "Where the beads' heat went", flow.spec("J"),
-                    "Paths, reaction and walls are integrals of their own fluxes; what the beads gave "
-                    "off is their change of enthalpy. Losses are shared out between the species by "
-                    "what the beads gave beyond their exchange with the granules.");
+  return charts.add(
+      "energy", "Where the heat went", flow.spec("J"),
+      "Paths, reaction and walls are integrals of their own fluxes; what the beads gave "
+      "off is their change of enthalpy. Losses are shared out between the species by "
+      "what the beads gave beyond their exchange with the granules.");
 }
 
 std::string book(const RunData& run, const std::string& key, const std::string& title,
@@ -132,11 +145,12 @@ std::string book(const RunData& run, const std::string& key, const std::string& 
 std::string residual(const char* name, double value, double limit, const char* of) {
   if (!std::isfinite(value)) return "";
   const bool closes = std::abs(value) <= limit;
-  return element("p",
-                 std::string(closes ? "<b class=\"badge\">ok</b>" : "<b class=\"badge\">attention</b>") +
-                     name + " closes to <strong>" + with_unit(Quantity::residual, std::abs(value)) +
-                     "</strong> of " + of + " (limit " + with_unit(Quantity::residual, limit) + ").",
-                 closes ? "class=\"residual good\"" : "class=\"residual attention\"");
+  return element(
+      "p",
+      std::string(closes ? "<b class=\"badge\">ok</b>" : "<b class=\"badge\">attention</b>") +
+          name + " closes to <strong>" + with_unit(Quantity::residual, std::abs(value)) +
+          "</strong> of " + of + " (limit " + with_unit(Quantity::residual, limit) + ").",
+      closes ? "class=\"residual good\"" : "class=\"residual attention\"");
 }
 
 std::string residuals(const RunData& run) {
@@ -149,8 +163,9 @@ std::string residuals(const RunData& run) {
     html += element("p", "<b class=\"badge\">ok</b>Every particle is accounted for.",
                     "class=\"residual good\"");
   if (lost > 0.0)
-    html += element("p", "<b class=\"badge\">attention</b>" + with_unit(Quantity::count, lost) +
-                             " particles left the domain; the log names each with its place.",
+    html += element("p",
+                    "<b class=\"badge\">attention</b>" + with_unit(Quantity::count, lost) +
+                        " particles left the domain; the log names each with its place.",
                     "class=\"residual attention\"");
   return html;
 }

@@ -11,8 +11,8 @@ namespace {
 
 using Polynomial = std::array<Rgb, 7>;
 
-// Viridis and inferno are the maps of van der Walt and Smith (matplotlib 1.5, 2015); the sixth-order
-// fits are M. Zucker's (2019, public domain), within 1 % of the tables.
+// Viridis and inferno are the maps of van der Walt and Smith (matplotlib 1.5, 2015); the
+// sixth-order fits are M. Zucker's (2019, public domain), within 1 % of the tables.
 constexpr Polynomial viridis_fit{{{0.2777273272, 0.0054073445, 0.3340998053},
                                   {0.1050930431, 1.4046135299, 1.3845901626},
                                   {-0.3308618287, 0.2148475595, 0.0950951630},
@@ -56,8 +56,9 @@ Rgb diverge(double t) {
 Rgb colour_at(ColourMap map, double fraction) {
   const double t = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.5;
   if (map == ColourMap::diverging) return diverge(t);
-  // The last tenth of inferno is near white, which the paper would swallow.
-  return map == ColourMap::viridis ? evaluate(viridis_fit, t) : evaluate(inferno_fit, 0.95 * t);
+  // Inferno begins at black, which takes no shading, and ends near white, which the paper swallows.
+  return evaluate(map == ColourMap::viridis ? viridis_fit : inferno_fit,
+                  map == ColourMap::viridis ? t : 0.14 + 0.80 * t);
 }
 
 Rgb species_colour(std::size_t species) {
@@ -73,7 +74,9 @@ Rgb species_colour(std::size_t species) {
 
 std::string hex(const Rgb& colour) {
   std::array<char, 8> text{};
-  const auto byte = [&](std::size_t c) { return static_cast<unsigned>(std::lround(255 * colour[c])); };
+  const auto byte = [&](std::size_t c) {
+    return static_cast<unsigned>(std::lround(255 * colour[c]));
+  };
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(0) & 255u, byte(1) & 255u,
                 byte(2) & 255u);
   return text.data();
@@ -83,8 +86,9 @@ std::string gradient_stops(ColourMap map, std::size_t stops) {
   std::string svg;
   for (std::size_t k = 0; k < stops; ++k) {
     const double f = static_cast<double>(k) / static_cast<double>(stops - 1);
-    svg += element("stop", "", "offset=\"" + significant(f, 4) + "\" stop-color=\"" +
-                                   hex(colour_at(map, f)) + "\"");
+    svg += element(
+        "stop", "",
+        "offset=\"" + significant(f, 4) + "\" stop-color=\"" + hex(colour_at(map, f)) + "\"");
   }
   return svg;
 }

@@ -18,8 +18,8 @@ namespace {
 using Figures = std::vector<std::vector<KeyFigure>>;  // by run
 
 const KeyFigure* find(const std::vector<KeyFigure>& figures, const std::string& id) {
-  const auto found = std::find_if(figures.begin(), figures.end(),
-                                  [&](const KeyFigure& f) { return f.id == id; });
+  const auto found =
+      std::find_if(figures.begin(), figures.end(), [&](const KeyFigure& f) { return f.id == id; });
   return found == figures.end() ? nullptr : &*found;
 }
 
@@ -57,27 +57,28 @@ std::string figure_table(const std::vector<RunData>& runs, const Figures& figure
       const KeyFigure* figure = find(of_run, kind.id);
       values.push_back(figure == nullptr ? std::nan("") : figure->value);
     }
-    rows.push_back(compared(escape(kind.label), kind.quantity, values,
-                            kind.quantity != Quantity::residual));
+    rows.push_back(
+        compared(escape(kind.label), kind.quantity, values, kind.quantity != Quantity::residual));
   }
   return table(heads(runs, "quantity"), rows, "class=\"numbers compare\"");
 }
 
 std::string against_first(const std::vector<RunData>& runs, const Figures& figures) {
   static const std::vector<std::string> told{"granule_temperature", "delta", "oxygen",
-                                             "top_ratio", "lacey", "settled"};
+                                             "top_ratio",           "lacey", "settled"};
   std::string html;
   for (std::size_t r = 1; r < runs.size(); ++r) {
     std::vector<std::string> parts;
     for (const std::string& id : told) {
       const KeyFigure *a = find(figures[0], id), *b = find(figures[r], id);
       if (a == nullptr || b == nullptr) continue;
-      parts.push_back(escape(b->label) + " <strong>" + difference(b->quantity, b->value - a->value) +
-                      "</strong>");
+      parts.push_back(escape(b->label) + " <strong>" +
+                      difference(b->quantity, b->value - a->value) + "</strong>");
     }
     if (!parts.empty())
-      html += element("p", "<strong>" + escape(runs[r].name) + "</strong> against <strong>" +
-                               escape(runs[0].name) + "</strong>: " + join(parts, "; ") + ".",
+      html += element("p",
+                      "<strong>" + escape(runs[r].name) + "</strong> against <strong>" +
+                          escape(runs[0].name) + "</strong>: " + join(parts, "; ") + ".",
                       "class=\"answer\"");
   }
   return html;
@@ -90,13 +91,13 @@ std::string attention(const std::vector<RunData>& runs, const Figures& figures) 
     for (const Value& w : runs[r].summary.items("warnings"))
       items += element("li", name + escape(w.as_text()));
     for (const KeyFigure& f : figures[r])
-      if (f.verdict == Verdict::attention)
+      if (is_worth_listing(f, runs[r]))
         items += element("li", name + escape(f.label) + " " + with_unit(f.quantity, f.value) +
                                    " (" + escape(f.note) + ")");
   }
-  return items.empty() ? element("p", "No model range was left and no limit was touched.",
-                                 "class=\"good\"")
-                       : element("ul", items, "class=\"warnings\"");
+  return items.empty()
+             ? element("p", "No model range was left and no limit was touched.", "class=\"good\"")
+             : element("ul", items, "class=\"warnings\"");
 }
 
 Section compared_answer(const std::vector<RunData>& runs) {
@@ -142,19 +143,21 @@ Section compared_mixture(const std::vector<RunData>& runs, Charts& charts) {
     maps += unrolled_chart(runs[r], "unrolled" + std::to_string(r + 1),
                            "The bed unrolled, " + runs[r].name, charts);
   html = element("div", html + element("div", maps), "class=\"charts\"");
-  if (is_demonstrator(runs.front())) html += not_reproduced();
+  for (const RunData& run : runs)
+    if (is_demonstrator(run)) html += against_measurement(run);
   return {"mixture", "Mixture", html};
 }
 
 Section compared_books(const std::vector<RunData>& runs) {
-  struct Path { const char* key; const char* label; };
-  static constexpr Path paths[] = {{"radiation", "beads to granules by radiation"},
-                                   {"contact", "beads to granules by contacts"},
-                                   {"gap", "beads to granules through gas gaps"},
-                                   {"to_walls", "particles to walls"},
-                                   {"reaction", "taken up by the reaction"},
-                                   {"gas", "carried off with gas and oxygen"},
-                                   {"to_surroundings", "radiated out of the rig"}};
+  struct Path {
+    const char* key;
+    const char* label;
+  };
+  static constexpr Path paths[] = {
+      {"radiation", "beads to granules by radiation"}, {"contact", "beads to granules by contacts"},
+      {"gap", "beads to granules through gas gaps"},   {"to_walls", "particles to walls"},
+      {"reaction", "taken up by the reaction"},        {"gas", "carried off with gas and oxygen"},
+      {"to_surroundings", "radiated out of the rig"}};
   std::vector<std::vector<std::string>> rows;
   for (const Path& path : paths) {
     std::vector<double> heat;
@@ -165,9 +168,9 @@ Section compared_books(const std::vector<RunData>& runs) {
     }
     if (is_known) rows.push_back(compared(path.label, Quantity::energy, heat, true));
   }
-  const std::string html =
-      rows.empty() ? absent("No heat paths: no heat transfer in these cases.")
-                   : table(heads(runs, "heat"), rows, "class=\"numbers compare\"");
+  const std::string html = rows.empty()
+                               ? absent("No heat paths: no heat transfer in these cases.")
+                               : table(heads(runs, "heat"), rows, "class=\"numbers compare\"");
   return {"books", "Books", html};
 }
 
@@ -194,8 +197,8 @@ Section compared_reproduction(const std::vector<RunData>& runs) {
   for (std::size_t r = 1; r < runs.size(); ++r) {
     const std::string here = only_in(runs[r], runs[0]), there = only_in(runs[0], runs[r]);
     if (here.empty() && there.empty()) continue;
-    html += element("h3", "How the cases differ: " + escape(runs[r].name) + " and " +
-                              escape(runs[0].name));
+    html += element(
+        "h3", "How the cases differ: " + escape(runs[r].name) + " and " + escape(runs[0].name));
     html += element("pre", element("del", escape(there)) + element("ins", escape(here)),
                     "class=\"case\"");
   }

@@ -44,7 +44,7 @@ std::string by_species(const std::deque<Scene>& scenes) {
 }
 
 std::string by_temperature(const std::deque<Scene>& scenes, const char* title,
-                           io::Snapshot Scene::* moment) {
+                           io::Snapshot Scene::*moment) {
   std::vector<const io::Snapshot*> shown;
   for (const Scene& s : scenes) shown.push_back(&(s.*moment));
   const auto range = temperature_limits(shown);
@@ -79,8 +79,8 @@ Section compared_pictures(const std::vector<RunData>& runs) {
   for (const RunData& run : runs) {
     if (run.snapshot_times.empty()) continue;
     const BedPictures bed = bed_pictures(run);
-    scenes.push_back({&run, bed, run.snapshot(bed.settled),
-                      run.snapshot(run.snapshot_times.size() - 1)});
+    scenes.push_back(
+        {&run, bed, run.snapshot(bed.settled), run.snapshot(run.snapshot_times.size() - 1)});
   }
   if (scenes.empty())
     return {"pictures", "Pictures", absent("No pictures: these runs hold no snapshots.")};

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "report/colour_map.hpp"
+#include "report/figures.hpp"
 #include "report/text.hpp"
 
 namespace pmr::report {
@@ -153,12 +154,12 @@ std::string temperatures(const Runs& runs, Course& course) {
   std::vector<Line> lines;
   const auto names = all_species(runs);
   for (std::size_t s = 0; s < names.size(); ++s)
-    lines.push_back({"temperature_mean." + names[s], names[s], hex(species_colour(s)),
+    lines.push_back({"temperature_mean." + names[s], chemical(names[s]), hex(species_colour(s)),
                      "temperature_p10." + names[s], "temperature_p90." + names[s]});
   lines.push_back({"gas_temperature", "gas", "#777777", "", ""});
   lines.push_back({"wall_temperature_mean", "wall faces, mean", "#8c564b", "", ""});
-  const char* title = runs.size() > 1 ? "Temperatures, mean"
-                                      : "Temperatures, mean and band of 10 to 90 % of the particles";
+  const char* title =
+      runs.size() > 1 ? "Temperatures, mean" : "Temperatures: mean, and band of 10 to 90 %";
   return course.chart("temperatures", title, {"temperature", "°C", false, 1.0, -273.15}, lines,
                       "no heat transfer in this case.");
 }
@@ -170,11 +171,11 @@ std::string thermocouples(const Runs& runs, Course& course) {
       if (column.name.rfind("thermocouple.", 0) == 0 &&
           std::none_of(lines.begin(), lines.end(),
                        [&](const Line& l) { return l.column == column.name; }))
-        lines.push_back({column.name, column.name.substr(13), hex(species_colour(lines.size())),
-                         "", ""});
+        lines.push_back(
+            {column.name, column.name.substr(13), hex(species_colour(lines.size())), "", ""});
   if (lines.empty()) return "";
-  return course.chart("thermocouples", "Thermocouples",
-                      {"temperature", "°C", false, 1.0, -273.15}, lines, "");
+  return course.chart("thermocouples", "Thermocouples", {"temperature", "°C", false, 1.0, -273.15},
+                      lines, "");
 }
 
 std::vector<Line> heat_lines(const std::string& prefix) {
@@ -188,9 +189,9 @@ std::vector<Line> heat_lines(const std::string& prefix) {
 
 std::string oxygen(Course& course) {
   const std::string none = "no reaction in this case.";
-  std::string html = course.chart("delta", "Oxygen non-stoichiometry δ", {"δ", "1"},
-                                  {{"delta_mean", "δ, mean", "#0072b2", "delta_p10", "delta_p90"}},
-                                  none);
+  std::string html =
+      course.chart("delta", "Oxygen non-stoichiometry δ", {"δ", "1"},
+                   {{"delta_mean", "δ, mean", "#0072b2", "delta_p10", "delta_p90"}}, none);
   html += course.chart("oxygen_rate", "Oxygen given off, rate", {"rate", "mmol/s", false, 1e3},
                        {{"oxygen_rate", "O₂ from the solids", "#d55e00", "", ""}}, none);
   return html + course.chart("oxygen_sum", "Oxygen given off and pumped, sum",
@@ -201,12 +202,12 @@ std::string oxygen(Course& course) {
 }
 
 std::string gas_and_heat(Course& course) {
-  std::string html = course.chart(
-      "pressure", "Pressure in the chamber and its species", {"pressure", "Pa", true},
-      {{"pressure", "total", "#222222", "", ""},
-       {"oxygen_pressure", "O₂", "#d55e00", "", ""},
-       {"nitrogen_pressure", "N₂", "#0072b2", "", ""}},
-      "no closed chamber in this case.");
+  std::string html =
+      course.chart("pressure", "Pressure in the chamber and its species", {"pressure", "Pa", true},
+                   {{"pressure", "total", "#222222", "", ""},
+                    {"oxygen_pressure", "O₂", "#d55e00", "", ""},
+                    {"nitrogen_pressure", "N₂", "#0072b2", "", ""}},
+                   "no closed chamber in this case.");
   html += course.chart("heat", "Heat moved since the start, by path", {"heat", "kJ", false, 1e-3},
                        heat_lines(""), "no heat transfer in this case.");
   return html + course.chart("heat_flow", "Heat flow by path", {"heat flow", "W", true},
@@ -222,13 +223,12 @@ const char* toggle =
 
 std::string course_charts(const Runs& runs, Charts& charts) {
   Course course(runs, charts);
-  const std::string html =
-      temperatures(runs, course) + oxygen(course) + gas_and_heat(course) +
-      thermocouples(runs, course) +
-      course.chart("kinetic_energy", "Kinetic energy of the particles",
-                   {"kinetic energy", "J", true},
-                   {{"kinetic_energy", "all particles", "#222222", "", ""}},
-                   "nothing moved in this run.");
+  const std::string html = temperatures(runs, course) + oxygen(course) + gas_and_heat(course) +
+                           thermocouples(runs, course) +
+                           course.chart("kinetic_energy", "Kinetic energy of the particles",
+                                        {"kinetic energy", "J", true},
+                                        {{"kinetic_energy", "all particles", "#222222", "", ""}},
+                                        "nothing moved in this run.");
   return toggle + element("div", html, "class=\"charts\"");
 }
 

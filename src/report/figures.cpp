@@ -42,11 +42,11 @@ void add_temperatures(Collector& c) {
   const RunData& run = c.run();
   if (run.species.empty()) return;
   const std::string& name = run.species[run.granules()].name;
-  c.add({"granule_temperature", "Mean " + name + " temperature at the end", Quantity::temperature,
-         c.number("thermal/temperature_mean/" + name),
+  c.add({"granule_temperature", "Mean " + chemical(name) + " temperature at the end",
+         Quantity::temperature, c.number("thermal/temperature_mean/" + name),
          c.band("temperature_p10." + name, "temperature_p90." + name, Quantity::temperature)});
   c.add({"granule_spread", "Spread of it (standard deviation)", Quantity::temperature_difference,
-         c.number("thermal/temperature_std/" + name), "over all " + name + " particles"});
+         c.number("thermal/temperature_std/" + name), "over all " + chemical(name) + " particles"});
 }
 
 void add_chemistry(Collector& c) {
@@ -59,7 +59,8 @@ void add_chemistry(Collector& c) {
   const double released = c.number("chemistry/oxygen_released");  // [mol]
   c.add({"oxygen", "Oxygen released", Quantity::specific_amount,
          released / run.species[*reactive].mass,
-         with_unit(Quantity::amount, released) + " O₂; per kg " + run.species[*reactive].name});
+         with_unit(Quantity::amount, released) + " O₂; per kg " +
+             chemical(run.species[*reactive].name)});
 }
 
 void add_set_point(Collector& c) {
@@ -79,11 +80,11 @@ void add_books(Collector& c) {
   const double energy = c.number("balances/energy_relative");
   const double oxygen = c.number("balances/oxygen_relative");
   const bool has_oxygen = std::isfinite(oxygen);
-  const bool closes = std::abs(energy) <= energy_limit &&
-                      (!has_oxygen || std::abs(oxygen) <= oxygen_limit);
+  const bool closes =
+      std::abs(energy) <= energy_limit && (!has_oxygen || std::abs(oxygen) <= oxygen_limit);
   std::string note = "limit 10⁻⁶";
-  if (has_oxygen) note += "; oxygen " + with_unit(Quantity::residual, std::abs(oxygen)) +
-                          ", limit 10⁻⁷";
+  if (has_oxygen)
+    note += "; oxygen " + with_unit(Quantity::residual, std::abs(oxygen)) + ", limit 10⁻⁷";
   c.add({"energy_books", "Books: energy residual", Quantity::residual, std::abs(energy), note,
          closes ? Verdict::good : Verdict::attention});
 }
@@ -107,8 +108,8 @@ void add_mechanics(Collector& c) {
   c.add({"settled", "Bed at rest", Quantity::time, c.run().settled_time(),
          "after the first valve's release"});
   c.add({"bed_height", "Bed height", Quantity::length, c.number("mechanics/bed_height"), ""});
-  c.add({"solid_fraction", "Solid fraction", Quantity::ratio,
-         c.number("mechanics/solid_fraction"), ""});
+  c.add({"solid_fraction", "Solid fraction", Quantity::ratio, c.number("mechanics/solid_fraction"),
+         ""});
   c.add({"coordination", "Coordination number", Quantity::ratio,
          c.number("mechanics/coordination_number"), "contacts per particle"});
   const double overlap = c.number("mechanics/max_overlap_ratio");
@@ -121,12 +122,13 @@ void add_mechanics(Collector& c) {
 
 void add_heat(Collector& c) {
   for (const Member& m : c.run().summary.members("thermal/temperature_mean"))
-    c.add({"temperature." + m.key, "Mean " + m.key + " temperature at the end",
+    c.add({"temperature." + m.key, "Mean " + chemical(m.key) + " temperature at the end",
            Quantity::temperature, m.value.as_number(), ""});
   c.add({"to_walls", "Heat to the walls", Quantity::energy, c.number("thermal/heat_to_walls"), ""});
   for (const Member& m : c.run().summary.members("thermal/biot_max"))
-    c.add({"biot." + m.key, "Largest Biot number, " + m.key, Quantity::ratio, m.value.as_number(),
-           "above 0.1 a sphere is not isothermal", below(m.value.as_number(), biot_limit)});
+    c.add({"biot." + m.key, "Largest Biot number, " + chemical(m.key), Quantity::ratio,
+           m.value.as_number(), "above 0.1 a sphere is not isothermal",
+           below(m.value.as_number(), biot_limit)});
 }
 
 void add_reaction(Collector& c) {
@@ -135,8 +137,8 @@ void add_reaction(Collector& c) {
   c.add({"extent", "Extent of reaction", Quantity::share, c.number("chemistry/extent"), ""});
   c.add({"reaction_heat", "Heat taken up by the reaction", Quantity::energy,
          c.number("chemistry/reaction_heat"), ""});
-  c.add({"pressure", "Pressure at the end", Quantity::pressure,
-         c.number("chamber/pressure_final"), ""});
+  c.add({"pressure", "Pressure at the end", Quantity::pressure, c.number("chamber/pressure_final"),
+         ""});
 }
 
 void drop_repeated_temperature(std::vector<KeyFigure>& figures, const std::string& granules) {
@@ -160,17 +162,21 @@ std::vector<KeyFigure> key_figures(const RunData& run) {
   return figures;
 }
 
+bool is_worth_listing(const KeyFigure& figure, const RunData& run) {
+  const bool is_limit = figure.id == "overlap" || figure.id.rfind("biot.", 0) == 0;
+  return figure.verdict == Verdict::attention && !(is_limit && run.summary.has("warnings"));
+}
+
 std::string chemical(std::string_view name) {
-  std::string html;
+  static constexpr const char* lowered[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  std::string text;
   for (std::size_t i = 0; i < name.size(); ++i) {
     const bool is_digit = name[i] >= '0' && name[i] <= '9';
-    const bool follows_letter =
-        i > 0 && ((name[i - 1] >= 'a' && name[i - 1] <= 'z') ||
-                  (name[i - 1] >= 'A' && name[i - 1] <= 'Z'));
-    html += is_digit && follows_letter ? "<sub>" + std::string(1, name[i]) + "</sub>"
-                                       : escape(name.substr(i, 1));
+    const bool follows_letter = i > 0 && ((name[i - 1] >= 'a' && name[i - 1] <= 'z') ||
+                                          (name[i - 1] >= 'A' && name[i - 1] <= 'Z'));
+    text += is_digit && follows_letter ? lowered[name[i] - '0'] : std::string(1, name[i]);
   }
-  return html;
+  return text;
 }
 
 }  // namespace pmr::report

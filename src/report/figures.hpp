@@ -14,8 +14,8 @@ struct KeyFigure {
   std::string id;     // "granule_temperature", the same in every run
   std::string label;  // "Mean granule temperature at the end"
   Quantity quantity;
-  double value;       // SI; NaN where it was looked for and not reached
-  std::string note;   // its band or its limit, may be empty
+  double value;      // SI; NaN where it was looked for and not reached
+  std::string note;  // its band or its limit, may be empty
   Verdict verdict = Verdict::plain;
 };
 
@@ -30,7 +30,11 @@ std::vector<KeyFigure> key_figures(const RunData& run);
 // Three sentences: what was done, what came of it, whether to believe it. HTML.
 std::vector<std::string> answer(const RunData& run);
 
-std::string charge(const RunData& run);  // "1.00 kg Al2O3 at 1100 °C and ...", HTML
-std::string chemical(std::string_view name);  // "SrFeO3" with its digits set low, HTML
+// Whether a figure that wants attention is to be listed: limits of the models are told by the
+// summary's own warnings, where it has them.
+bool is_worth_listing(const KeyFigure& figure, const RunData& run);
+
+std::string charge(const RunData& run);       // "1.00 kg Al2O3 at 1100 °C and ...", HTML
+std::string chemical(std::string_view name);  // "SrFeO₃": digits set low
 
 }  // namespace pmr::report

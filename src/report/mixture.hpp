@@ -15,6 +15,7 @@ std::string layer_chart(const std::vector<const RunData*>& runs, Charts& charts)
 // The bed unrolled: azimuth by layer, colours over the log of w.
 std::string unrolled_chart(const RunData& run, const std::string& id, const std::string& title,
                            Charts& charts);
-std::string not_reproduced();  // the honest paragraph on the demonstrator's mixture
+// The honest paragraph on the demonstrator's mixture: what was measured, what this run shows.
+std::string against_measurement(const RunData& run);
 
 }  // namespace pmr::report

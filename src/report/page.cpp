@@ -15,8 +15,10 @@ void replace(std::string& text, const std::string& mark, const std::string& with
 std::string safe_in_script(const std::string& json) {
   std::string safe;
   for (const char c : json) {
-    if (c == '<') safe += "\\u003c";
-    else safe += c;
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
   }
   return safe;
 }
@@ -71,8 +73,8 @@ std::string assemble(const std::string& title, const std::string& subtitle,
   replace(html, "{{subtitle}}", escape(subtitle));
   replace(html, "{{navigation}}", navigation(sections));
   // Last what may hold anything, so that no mark is looked for inside it.
-  const std::string scripts = element("script", std::string(asset_d3())) +
-                              element("script", std::string(asset_script()));
+  const std::string scripts =
+      element("script", std::string(asset_d3())) + element("script", std::string(asset_script()));
   const std::string data = element("script", safe_in_script(charts.to_json()),
                                    "type=\"application/json\" id=\"pmr-data\"");
   replace(html, "{{scripts}}", data + scripts);

@@ -108,8 +108,9 @@ void frame(View& view, const std::vector<const io::Snapshot*>& snapshots, double
 
 Image draw(const io::Snapshot& snapshot, const std::optional<Case>& setup, const View& view,
            std::size_t pixels_x, const Paint& paint) {
-  const auto pixels_y = std::max<std::size_t>(
-      8, static_cast<std::size_t>(std::lround(static_cast<double>(pixels_x) * view.height / view.width)));
+  const auto pixels_y =
+      std::max<std::size_t>(8, static_cast<std::size_t>(std::lround(static_cast<double>(pixels_x) *
+                                                                    view.height / view.width)));
   const auto spheres = spheres_of(snapshot.particles);
   const auto walls = wall_mesh(setup, snapshot.time);
   const auto hits =
@@ -165,7 +166,8 @@ std::vector<Line> wall_section(const std::optional<Case>& setup, double t, const
   for (const radiation::Triangle& triangle : wall_mesh(setup, t)) {
     std::vector<Eigen::Vector2d> ends;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 a = triangle.corner[k] - view.middle, b = triangle.corner[(k + 1) % 3] - view.middle;
+      const Vec3 a = triangle.corner[k] - view.middle,
+                 b = triangle.corner[(k + 1) % 3] - view.middle;
       const double da = a.dot(view.forward), db = b.dot(view.forward);
       if ((da >= 0.0) == (db >= 0.0)) continue;
       const Vec3 at = a + da / (da - db) * (b - a);

@@ -14,9 +14,9 @@ namespace pmr::report {
 
 // What the camera sees: a rectangle in the cutting plane. Looks along the plane's normal.
 struct View {
-  Vec3 middle;               // [m] on the cutting plane
-  Vec3 forward, right, up;   // [1] orthonormal
-  double width, height;      // [m]
+  Vec3 middle;              // [m] on the cutting plane
+  Vec3 forward, right, up;  // [1] orthonormal
+  double width, height;     // [m]
 };
 
 // An orthographic view along the normal of the case's cut, on nothing yet (width 0).

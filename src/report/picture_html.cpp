@@ -25,18 +25,21 @@ double round_length(double length) {
 std::string scale_bar(const View& view, double pixels_x, double pixels_y) {
   const double length = round_length(0.3 * view.width);  // [m]
   const double pixels = length / view.width * pixels_x;
-  const double x = pixels_x - pixels - 12.0, y = pixels_y + 12.0;
-  const std::string bar = element("line", "", at("x1", x) + at("x2", x + pixels) + at("y1", y) +
-                                                  at("y2", y) + "class=\"scale\"");
-  const std::string text = element("text", with_unit(Quantity::length, length),
-                                   at("x", x - 6.0) + at("y", y + 4.0) + "text-anchor=\"end\"");
+  const double x = pixels_x - pixels - 8.0, y = pixels_y + 16.0;
+  const std::string bar =
+      element("line", "",
+              at("x1", x) + at("x2", x + pixels) + at("y1", y) + at("y2", y) + "class=\"scale\"");
+  const std::string text = element("text", significant(1e3 * length, 1) + " mm",
+                                   at("x", x - 8.0) + at("y", y + 6.0) + "text-anchor=\"end\"");
   return bar + text;
 }
 
 std::string walls_path(const std::vector<Line>& lines) {
   std::string path;
   for (const Line& l : lines) {
-    const auto point = [](double x, double y) { return significant(x, 5) + " " + significant(y, 5); };
+    const auto point = [](double x, double y) {
+      return significant(x, 5) + " " + significant(y, 5);
+    };
     std::string piece = "M" + point(l.x0, l.y0) + "L" + point(l.x1, l.y1);
     for (std::size_t k; (k = piece.find("\u2212")) != std::string::npos;) piece.replace(k, 3, "-");
     path += piece;
@@ -55,15 +58,16 @@ std::string shot_html(const Shot& shot, const Paint& paint) {
   const Image image = draw(shot.snapshot, shot.setup, shot.view, shot.pixels_x, paint);
   const auto width = static_cast<double>(image.width), height = static_cast<double>(image.height);
   const std::string bitmap =
-      element("image", "", at("width", width) + at("height", height) +
-                               "href=\"data:image/png;base64," + base64(encode_png(image)) + "\"");
+      element("image", "",
+              at("width", width) + at("height", height) + "href=\"data:image/png;base64," +
+                  base64(encode_png(image)) + "\"");
   const auto walls = wall_section(shot.setup, shot.snapshot.time, shot.view, width);
-  const std::string clip = element("svg", bitmap + walls_path(walls),
-                                   at("width", width) + at("height", height));
+  const std::string clip =
+      element("svg", bitmap + walls_path(walls), at("width", width) + at("height", height));
   const std::string time = element("text", "t = " + with_unit(Quantity::time, shot.snapshot.time),
-                                   at("x", 2.0) + at("y", height + 16.0) + "class=\"time\"");
+                                   at("x", 2.0) + at("y", height + 22.0) + "class=\"time\"");
   const std::string box = "viewBox=\"0 0 " + std::to_string(image.width) + " " +
-                          std::to_string(image.height + 22) + "\" role=\"img\"";
+                          std::to_string(image.height + 30) + "\" role=\"img\"";
   const std::string svg = element("svg", clip + time + scale_bar(shot.view, width, height), box);
   const std::string caption = shot.caption.empty() ? "" : element("figcaption", shot.caption);
   return element("figure", svg + caption, "class=\"shot\"");
@@ -71,11 +75,11 @@ std::string shot_html(const Shot& shot, const Paint& paint) {
 
 std::string strip(const std::vector<std::string>& shots, const std::string& legend,
                   const std::string& title, const std::string& caption) {
-  const std::string pictures = element("div", join(shots, ""), "class=\"shots\" style=\"--n:" +
-                                                                   std::to_string(shots.size()) +
-                                                                   "\"");
-  return element("div", element("h3", title) + pictures + legend + element("p", caption, "class=\"caption\""),
-                 "class=\"strip\"");
+  const std::string pictures = element(
+      "div", join(shots, ""), "class=\"shots\" style=\"--n:" + std::to_string(shots.size()) + "\"");
+  return element(
+      "div", element("h3", title) + pictures + legend + element("p", caption, "class=\"caption\""),
+      "class=\"strip\"");
 }
 
 std::vector<double> round_ticks(Limits limits, int wanted) {
@@ -93,25 +97,29 @@ std::vector<double> round_ticks(Limits limits, int wanted) {
 std::string colour_bar(ColourMap map, Limits limits, const std::string& label) {
   static int bars = 0;
   const std::string id = "bar" + std::to_string(++bars);
-  std::string svg = element(
-      "defs", element("linearGradient", gradient_stops(map, 24), "id=\"" + id + "\""));
-  svg += element("rect", "", "x=\"10\" y=\"4\" width=\"400\" height=\"14\" fill=\"url(#" + id + ")\"");
-  const std::vector<double> ticks = round_ticks(limits, 5);
+  std::string svg =
+      element("defs", element("linearGradient", gradient_stops(map, 24), "id=\"" + id + "\""));
+  svg +=
+      element("rect", "", "x=\"10\" y=\"4\" width=\"400\" height=\"14\" fill=\"url(#" + id + ")\"");
+  const std::vector<double> ticks =
+      round_ticks(limits, limits.high - limits.low < 1e-3 * std::abs(limits.high) ? 2 : 5);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
   for (const double tick : ticks) {
     const double x = 10.0 + 400.0 * limits.fraction(tick);
     svg += element("line", "", at("x1", x) + at("x2", x) + "y1=\"18\" y2=\"23\" class=\"tick\"");
     svg += element("text", tick_text(tick, step), at("x", x) + "y=\"36\" text-anchor=\"middle\"");
   }
-  const std::string bar = element("svg", svg, "viewBox=\"-12 0 444 40\" class=\"bar\" role=\"img\"");
+  const std::string bar =
+      element("svg", svg, "viewBox=\"-12 0 444 40\" class=\"bar\" role=\"img\"");
   return element("div", element("span", label) + bar, "class=\"legend\"");
 }
 
 std::string species_legend(const std::vector<std::string>& names) {
   std::string html;
   for (std::size_t s = 0; s < names.size(); ++s)
-    html += element("span", element("i", "", "style=\"background:" + hex(species_colour(s)) + "\"") +
-                                chemical(names[s]),
+    html += element("span",
+                    element("i", "", "style=\"background:" + hex(species_colour(s)) + "\"") +
+                        escape(chemical(names[s])),
                     "class=\"key\"");
   return element("div", html, "class=\"legend\"");
 }

@@ -66,10 +66,10 @@ std::string end_temperature_strip(const RunData& run, const BedPictures& bed) {
   const auto range = temperature_limits({&last});
   if (!range || range->high - range->low < 0.01) return "";
   const Limits limits = celsius_limits(*range);
-  return strip({shot_html({last, run.setup, bed.view, 560, ""},
-                          paint_temperature(last, kelvin(limits)))},
-               colour_bar(ColourMap::inferno, limits, "temperature [°C]"),
-               "The bed at the end, by temperature", "On its own scale, to show the pattern.");
+  return strip(
+      {shot_html({last, run.setup, bed.view, 560, ""}, paint_temperature(last, kelvin(limits)))},
+      colour_bar(ColourMap::inferno, limits, "temperature [°C]"),
+      "The bed at the end, by temperature", "On its own scale, to show the pattern.");
 }
 
 std::string mixing_strip(const RunData& run) {
@@ -82,8 +82,8 @@ std::string mixing_strip(const RunData& run) {
   frame(view, shown, 0.03);
   std::vector<std::string> shots;
   for (const io::Snapshot* snapshot : shown)
-    shots.push_back(shot_html({*snapshot, run.setup, view, frame_pixels, ""},
-                              paint_species(*snapshot)));
+    shots.push_back(
+        shot_html({*snapshot, run.setup, view, frame_pixels, ""}, paint_species(*snapshot)));
   return strip(shots, species_legend(run.header.species), "Frames of the mixing",
                "Cut at the plane of symmetry: what lies before it is taken away.");
 }
@@ -134,8 +134,9 @@ Section picture_section(const RunData& run) {
   }
   const BedPictures bed = bed_pictures(run);
   section.html = mixing_strip(run) + temperature_strip(run, bed);
-  section.html += element("div", settled_strip(run, bed) + end_temperature_strip(run, bed) +
-                                     delta_strip(run, bed), "class=\"beds\"");
+  section.html += element(
+      "div", settled_strip(run, bed) + end_temperature_strip(run, bed) + delta_strip(run, bed),
+      "class=\"beds\"");
   return section;
 }
 

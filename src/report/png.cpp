@@ -20,12 +20,12 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   format.height = static_cast<png_uint_32>(image.height);
   format.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = 0;
-  const bool sized = png_image_write_to_memory(&format, nullptr, &size, 0, image.rgb.data(), 0,
-                                               nullptr) != 0;
+  const bool sized =
+      png_image_write_to_memory(&format, nullptr, &size, 0, image.rgb.data(), 0, nullptr) != 0;
   ensure(sized, "libpng tells the size of an image");
   std::vector<std::uint8_t> bytes(size);
-  const bool written = png_image_write_to_memory(&format, bytes.data(), &size, 0, image.rgb.data(),
-                                                 0, nullptr) != 0;
+  const bool written =
+      png_image_write_to_memory(&format, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0;
   ensure(written, "libpng writes an image to memory");
   bytes.resize(size);
   return bytes;

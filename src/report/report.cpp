@@ -16,8 +16,10 @@ std::string title_of(const RunData& run) {
 }
 
 std::string description_of(const RunData& run) {
-  const std::string text = run.setup ? run.setup->description : run.summary.text("case/description");
-  return text.empty() ? run.name : text;
+  const std::string text =
+      run.setup ? run.setup->description : run.summary.text("case/description");
+  if (!text.empty()) return text;
+  return title_of(run) == run.name ? "" : run.name;
 }
 
 void write_text(const std::string& text, const std::filesystem::path& file) {

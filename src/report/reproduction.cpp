@@ -18,11 +18,16 @@ std::string known(const RunData& run, const std::string& key) {
 }
 
 std::string facts(const RunData& run) {
-  struct Row { const char* key; const char* label; };
-  static constexpr Row wanted[] = {{"version", "version"},        {"git", "source revision"},
+  struct Row {
+    const char* key;
+    const char* label;
+  };
+  static constexpr Row wanted[] = {{"version", "version"},
+                                   {"git", "source revision"},
                                    {"case_hash", "hash of the case"},
                                    {"state_hash", "hash of the final state"},
-                                   {"threads", "threads"},         {"machine", "machine"},
+                                   {"threads", "threads"},
+                                   {"machine", "machine"},
                                    {"status", "status"}};
   std::vector<std::vector<std::string>> rows;
   for (const Row& row : wanted) {
@@ -34,7 +39,8 @@ std::string facts(const RunData& run) {
 
 std::string timings(const RunData& run) {
   double total = 0.0;
-  for (const Member& m : run.summary.members("timing")) total = std::max(total, m.value.as_number());
+  for (const Member& m : run.summary.members("timing"))
+    total = std::max(total, m.value.as_number());
   if (!(total > 0.0)) return absent("No timings were recorded.");
   std::vector<std::vector<std::string>> rows;
   for (const Member& m : run.summary.members("timing")) {

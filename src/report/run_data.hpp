@@ -16,9 +16,9 @@ namespace pmr::report {
 // Totals of a species, from the first and the last snapshot.
 struct SpeciesTotals {
   std::string name;
-  std::size_t count = 0;                         // [1] at the start
-  double mass = 0.0;                             // [kg] at the start
-  double first_temperature = 0.0;                // [K] mean at the start
+  std::size_t count = 0;                             // [1] at the start
+  double mass = 0.0;                                 // [kg] at the start
+  double first_temperature = 0.0;                    // [K] mean at the start
   double first_enthalpy = 0.0, last_enthalpy = 0.0;  // [J]
   bool is_reactive = false;
 };
@@ -27,11 +27,11 @@ struct RunData {
   std::string name;  // of the run's folder
   io::RunHeader header;
   io::Series series;
-  std::vector<double> snapshot_times;                    // [s]
-  std::function<io::Snapshot(std::size_t)> snapshot;     // reads the one of that index
-  Value summary;                                         // summary.json
-  std::optional<Case> setup;                             // the case, where it can be read again
-  std::vector<SpeciesTotals> species;                    // by species index
+  std::vector<double> snapshot_times;                 // [s]
+  std::function<io::Snapshot(std::size_t)> snapshot;  // reads the one of that index
+  Value summary;                                      // summary.json
+  std::optional<Case> setup;                          // the case, where it can be read again
+  std::vector<SpeciesTotals> species;                 // by species index
 
   std::optional<std::size_t> reactive() const;  // index of the species that gives off oxygen
   std::optional<std::size_t> hottest() const;   // index of the hottest at the start, if one is

@@ -7,6 +7,8 @@
 namespace pmr::report {
 namespace {
 
+std::string escaped(const std::string& name) { return escape(chemical(name)); }
+
 std::string strong(const std::string& html) { return element("strong", html); }
 
 std::string rest_sentence(const RunData& run) {
@@ -25,10 +27,12 @@ std::string what_was_done(const RunData& run) {
   const std::string status = run.summary.text("status");
   std::string text = charge(run);
   text += std::isfinite(run.summary.number("mechanics/lost")) || std::isfinite(run.settled_time())
-              ? " were mixed" + rest_sentence(run) : " were simulated";
+              ? " were mixed" + rest_sentence(run)
+              : " were simulated";
   if (status == "failed" || status == "stopped")
-    text += " &mdash; " + strong("this run " + std::string(status == "failed" ? "failed" : "was stopped") +
-                                 " before its end");
+    text += " &mdash; " +
+            strong("this run " + std::string(status == "failed" ? "failed" : "was stopped") +
+                   " before its end");
   return text + ".";
 }
 
@@ -37,7 +41,7 @@ std::string temperature_part(const RunData& run) {
   const double mean = run.summary.number("thermal/temperature_mean/" + name);
   if (!std::isfinite(mean)) return "";
   const double change = mean - run.species[run.granules()].first_temperature;
-  std::string text = "the " + chemical(name) + " granules ended at " +
+  std::string text = "the " + escaped(name) + " granules ended at " +
                      strong(with_unit(Quantity::temperature, mean));
   if (std::abs(change) > 0.05)
     text += " (" + difference(Quantity::temperature_difference, change) + ")";
@@ -54,8 +58,10 @@ std::string oxygen_part(const RunData& run) {
   const double from = run.summary.number("chemistry/delta_initial");
   const double to = run.summary.number("chemistry/delta_final");
   const std::string verb = released < 0.0 ? "took up " : "gave off ";
-  return verb + strong(with_unit(Quantity::specific_amount,
-                                 std::abs(released) / run.species[*reactive].mass) + " O₂") +
+  return verb +
+         strong(with_unit(Quantity::specific_amount,
+                          std::abs(released) / run.species[*reactive].mass) +
+                " O₂") +
          " (δ from " + fixed(from, 3) + " to " + fixed(to, 3) + ")";
 }
 
@@ -65,8 +71,7 @@ std::string mixture_part(const RunData& run) {
   return "the mass ratio w runs from " +
          strong(with_unit(Quantity::ratio, layers.front().number("mass_ratio"))) +
          " in the top layer to " +
-         strong(with_unit(Quantity::ratio, layers.back().number("mass_ratio"))) +
-         " in the lowest";
+         strong(with_unit(Quantity::ratio, layers.back().number("mass_ratio"))) + " in the lowest";
 }
 
 std::string sentence(std::vector<std::string> parts) {
@@ -90,7 +95,10 @@ std::string outcome(const RunData& run) {
 }
 
 std::string carried_by(const RunData& run) {
-  struct Path { const char* key; const char* name; };
+  struct Path {
+    const char* key;
+    const char* name;
+  };
   static constexpr Path paths[] = {
       {"radiation", "radiation"}, {"contact", "contacts"}, {"gap", "gas gaps"}};
   double total = 0.0;
@@ -98,9 +106,9 @@ std::string carried_by(const RunData& run) {
   if (!std::isfinite(total) || std::abs(total) < 1.0) return "";
   std::vector<std::string> shares;
   for (const Path& p : paths)
-    shares.push_back(with_unit(Quantity::share,
-                               run.summary.number("heat_paths/" + std::string(p.key)) / total) +
-                     " by " + p.name);
+    shares.push_back(
+        with_unit(Quantity::share, run.summary.number("heat_paths/" + std::string(p.key)) / total) +
+        " by " + p.name);
   return "the granules received " + with_unit(Quantity::energy, total) + " from the beads, " +
          join(shares, ", ");
 }
@@ -109,16 +117,17 @@ std::string trust(const RunData& run) {
   const double energy = std::abs(run.summary.number("balances/energy_relative"));
   const double oxygen = std::abs(run.summary.number("balances/oxygen_relative"));
   std::string books;
-  if (std::isfinite(energy)) books = "the books close to " + with_unit(Quantity::residual, energy) +
-                                     " of the heat exchanged";
+  if (std::isfinite(energy))
+    books =
+        "the books close to " + with_unit(Quantity::residual, energy) + " of the heat exchanged";
   if (std::isfinite(energy) && std::isfinite(oxygen))
     books += " and " + with_unit(Quantity::residual, oxygen) + " of the oxygen";
   const std::string heat = carried_by(run);
   if (heat.empty() && books.empty()) {
     const double overlap = run.summary.number("mechanics/max_overlap_ratio");
     if (!std::isfinite(overlap)) return "";
-    return "Every particle is accounted for; the largest overlap was " +
-           with_unit(Quantity::share, overlap) + " of a radius.";
+    return "The largest overlap of two particles was " + with_unit(Quantity::share, overlap) +
+           " of a radius.";
   }
   std::vector<std::string> parts{heat, books};
   std::erase(parts, "");
@@ -130,7 +139,7 @@ std::string trust(const RunData& run) {
 std::string charge(const RunData& run) {
   std::vector<std::string> parts;
   for (const SpeciesTotals& s : run.species) {
-    std::string text = strong(with_unit(Quantity::mass, s.mass) + " " + chemical(s.name));
+    std::string text = strong(with_unit(Quantity::mass, s.mass) + " " + escaped(s.name));
     text += " (" + with_unit(Quantity::count, static_cast<double>(s.count)) + " spheres)";
     if (s.first_temperature > 0.0)
       text += " at " + fixed(s.first_temperature - 273.15, 0) + "\u202f°C";

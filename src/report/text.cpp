@@ -27,14 +27,46 @@ Shown prefixed(double value, int digits, const char* unit) {
   const double power = std::floor(std::log10(std::abs(value)) / 3.0 + 1e-9);
   const int step = static_cast<int>(std::clamp(power, -4.0, 4.0));
   const double scaled = value / std::pow(10.0, 3.0 * step);
-  return {significant(scaled, digits), prefixes[static_cast<std::size_t>(step + 4)] +
-                                           std::string(unit)};
+  return {significant(scaled, digits),
+          prefixes[static_cast<std::size_t>(step + 4)] + std::string(unit)};
+}
+
+// "3.1·10⁻⁹"
+std::string scientific(double value) {
+  static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
+                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
+  if (value == 0.0) return "0";
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+  const std::string digits = print("%.*f", 1, value / std::pow(10.0, power));
+  std::string text = digits == "1.0" ? "10" : digits + "·10";
+  if (power < 0) text += "⁻";
+  for (const char c : std::to_string(std::abs(power)))
+    text += raised[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+// Whole per cents from ten on.
+std::string per_cent(double share) {
+  return std::abs(share) >= 0.0995 ? fixed(100.0 * share, 0) : significant(100.0 * share, 2);
+}
+
+Shown shown_pressure(double pascal) {
+  if (std::abs(pascal) >= 1.0 && std::abs(pascal) < 1e4) return {significant(pascal, 4), "Pa"};
+  return prefixed(pascal, 4, "Pa");
+}
+
+std::string without_trailing_zeros(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return number;
 }
 
 Shown shown_time(double seconds) {
-  if (std::abs(seconds) >= 600.0) return {significant(seconds / 60.0, 3), "min"};
+  if (std::abs(seconds) >= 600.0)
+    return {without_trailing_zeros(significant(seconds / 60.0, 3)), "min"};
   if (std::abs(seconds) >= 100.0) return {fixed(seconds, 0), "s"};
-  return {significant(seconds, 3), "s"};
+  return {without_trailing_zeros(significant(seconds, 3)), "s"};
 }
 
 }  // namespace
@@ -64,20 +96,35 @@ std::string with_prefix(double value, int digits, std::string_view unit) {
 Shown show(Quantity quantity, double value) {
   if (!std::isfinite(value)) return {"\u2013", ""};
   switch (quantity) {
-    case Quantity::temperature: return {fixed(value - zero_celsius, 1), "°C"};
-    case Quantity::temperature_difference: return {fixed(value, std::abs(value) < 1 ? 2 : 1), "K"};
-    case Quantity::delta: return {fixed(value, 4), ""};
-    case Quantity::ratio: return {significant(value, 3), ""};
-    case Quantity::share: return {significant(100.0 * value, 2), "%"};
-    case Quantity::residual: return {value == 0.0 ? "0" : print("%.*e", 1, value), ""};
-    case Quantity::count: return {grouped(static_cast<std::uint64_t>(std::llround(value))), ""};
-    case Quantity::time: return shown_time(value);
-    case Quantity::length: return {significant(1e3 * value, 3), "mm"};
-    case Quantity::mass: return prefixed(1e3 * value, 4, "g");
-    case Quantity::energy: return prefixed(value, 3, "J");
-    case Quantity::pressure: return prefixed(value, 4, "Pa");
-    case Quantity::amount: return prefixed(value, 4, "mol");
-    case Quantity::specific_amount: return {significant(value, 3), "mol/kg"};
+    case Quantity::temperature:
+      return {fixed(value - zero_celsius, 1), "°C"};
+    case Quantity::temperature_difference:
+      return {fixed(value, std::abs(value) < 1 ? 2 : 1), "K"};
+    case Quantity::delta:
+      return {fixed(value, 4), ""};
+    case Quantity::ratio:
+      return {significant(value, 3), ""};
+    case Quantity::share:
+      return {per_cent(value), "%"};
+    case Quantity::residual:
+      return {scientific(value), ""};
+    case Quantity::count:
+      return {grouped(static_cast<std::uint64_t>(std::llround(value))), ""};
+    case Quantity::time:
+      return shown_time(value);
+    case Quantity::length:
+      return {significant(1e3 * value, 3), "mm"};
+    case Quantity::mass:
+      return prefixed(1e3 * value, 4, "g");
+    case Quantity::energy:
+      return prefixed(value, 3, "J");
+    case Quantity::pressure:
+      return shown_pressure(value);
+    case Quantity::amount:
+      return prefixed(value, 3, "mol");
+    case Quantity::specific_amount:
+      if (std::abs(value) < 0.01) return prefixed(value, 3, "mol/kg");
+      return {significant(value, 3), "mol/kg"};
   }
   return {};
 }
@@ -101,11 +148,20 @@ std::string escape(std::string_view text) {
   std::string safe;
   for (const char c : text) {
     switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
     }
   }
   return safe;
@@ -144,8 +200,7 @@ std::string element(std::string_view tag, std::string_view content, std::string_
 }
 
 std::string table(const std::vector<std::string>& head,
-                  const std::vector<std::vector<std::string>>& rows,
-                  std::string_view attributes) {
+                  const std::vector<std::vector<std::string>>& rows, std::string_view attributes) {
   std::string cells;
   for (const std::string& title : head) cells += element("th", title, "scope=\"col\"");
   std::string body;

@@ -29,13 +29,13 @@ struct Shown {
   std::string number;  // "912.3"
   std::string unit;    // "°C", may be empty
 };
-Shown show(Quantity quantity, double value);              // "–" for a value that is not finite
-std::string with_unit(Quantity quantity, double value);   // "912.3 °C", no break between them
+Shown show(Quantity quantity, double value);               // "–" for a value that is not finite
+std::string with_unit(Quantity quantity, double value);    // "912.3 °C", no break between them
 std::string difference(Quantity quantity, double change);  // "+3.1 K", "−0.012", "±0"
 
-std::string significant(double value, int digits);   // "0.00312", "1.2e-09"
-std::string fixed(double value, int decimals);       // "3.10"
-std::string grouped(std::uint64_t count);            // "173,769"
+std::string significant(double value, int digits);                         // "0.00312", "1.2e-09"
+std::string fixed(double value, int decimals);                             // "3.10"
+std::string grouped(std::uint64_t count);                                  // "173,769"
 std::string with_prefix(double value, int digits, std::string_view unit);  // "3.31 kJ"
 
 std::string escape(std::string_view text);  // & < > " for HTML

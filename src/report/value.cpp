@@ -11,12 +11,28 @@ namespace {
 const Value* member(const Value& value, std::string_view key) {
   const auto* object = std::get_if<Value::Object>(&value.data);
   if (object == nullptr) return nullptr;
-  const auto found = std::find_if(object->begin(), object->end(),
-                                  [&](const Member& m) { return m.key == key; });
+  const auto found =
+      std::find_if(object->begin(), object->end(), [&](const Member& m) { return m.key == key; });
   return found == object->end() ? nullptr : &found->value;
 }
 
 }  // namespace
+
+Value::Value() = default;
+Value::Value(bool flag) : data(flag) {}
+Value::Value(double number) : data(number) {}
+Value::Value(int number) : data(static_cast<double>(number)) {}
+Value::Value(std::size_t number) : data(static_cast<double>(number)) {}
+Value::Value(const char* text) : data(std::string(text)) {}
+Value::Value(std::string text) : data(std::move(text)) {}
+Value::Value(Array items) : data(std::move(items)) {}
+Value::Value(Object members) : data(std::move(members)) {}
+Value::Value(const std::vector<double>& numbers) : data(Array(numbers.begin(), numbers.end())) {}
+Value::Value(const Value& other) = default;
+Value::Value(Value&& other) noexcept = default;
+Value& Value::operator=(const Value& other) = default;
+Value& Value::operator=(Value&& other) noexcept = default;
+Value::~Value() = default;
 
 const Value* Value::find(std::string_view path) const {
   const Value* here = this;

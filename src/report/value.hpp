@@ -16,23 +16,29 @@ struct Value {
   using Object = std::vector<Member>;  // in the order of the file
   std::variant<std::monostate, bool, double, std::string, Array, Object> data;
 
-  Value() = default;
-  Value(bool flag) : data(flag) {}
-  Value(double number) : data(number) {}
-  Value(int number) : data(static_cast<double>(number)) {}
-  Value(std::size_t number) : data(static_cast<double>(number)) {}
-  Value(const char* text) : data(std::string(text)) {}
-  Value(std::string text) : data(std::move(text)) {}
-  Value(Array items) : data(std::move(items)) {}
-  Value(Object members) : data(std::move(members)) {}
-  Value(const std::vector<double>& numbers) : data(Array(numbers.begin(), numbers.end())) {}
+  // Defined where Member is complete.
+  Value();
+  Value(bool flag);
+  Value(double number);
+  Value(int number);
+  Value(std::size_t number);
+  Value(const char* text);
+  Value(std::string text);
+  Value(Array items);
+  Value(Object members);
+  Value(const std::vector<double>& numbers);
+  Value(const Value& other);
+  Value(Value&& other) noexcept;
+  Value& operator=(const Value& other);
+  Value& operator=(Value&& other) noexcept;
+  ~Value();
 
   // The value at "thermal/temperature_mean/SrFeO3"; null where any part is missing.
   const Value* find(std::string_view path) const;
   bool has(std::string_view path) const { return find(path) != nullptr; }
-  double number(std::string_view path) const;       // NaN where absent or not a number
-  std::string text(std::string_view path) const;    // "" where absent; numbers as text
-  const Array& items(std::string_view path) const;  // empty where absent or not an array
+  double number(std::string_view path) const;          // NaN where absent or not a number
+  std::string text(std::string_view path) const;       // "" where absent; numbers as text
+  const Array& items(std::string_view path) const;     // empty where absent or not an array
   const Object& members(std::string_view path) const;  // empty where absent or not an object
   double as_number() const;                            // NaN where it is none
   std::string as_text() const;                         // "" where it has no short text
@@ -46,7 +52,7 @@ struct Member {
   Value value;
 };
 
-Value parse_json(const std::string& text);     // throws CaseError when it is not JSON
-std::string to_json(const Value& value);       // numbers to 8 digits; not finite ones as null
+Value parse_json(const std::string& text);  // throws CaseError when it is not JSON
+std::string to_json(const Value& value);    // numbers to 8 digits; not finite ones as null
 
 }  // namespace pmr::report

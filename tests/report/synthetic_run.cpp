@@ -108,7 +108,9 @@ std::vector<double> row_times() {
   return times;
 }
 
-double pressure(double t) { return std::max(1000.0, t < 10 ? 101325.0 : 101325 * std::exp((10 - t) / 14)); }
+double pressure(double t) {
+  return std::max(1000.0, t < 10 ? 101325.0 : 101325 * std::exp((10 - t) / 14));
+}
 
 double cumulative(double t, double total, double tau) {
   return total * (1.0 - std::exp(-std::max(0.0, t) / tau));
@@ -129,20 +131,25 @@ io::Series series_of() {
   add("time", "s", [](double t) { return t; });
   add("phase", "1", [](double t) { return t < 0 ? 0.0 : t < settled ? 1.0 : 2.0; });
   add("temperature_mean.Al2O3", "K", [&](double t) { return mix(t, 1373.15); });
-  add("temperature_p10.Al2O3", "K", [&](double t) { return mix(t, 1373.15) - 9 - 40 * std::exp(-t * t / 300); });
+  add("temperature_p10.Al2O3", "K",
+      [&](double t) { return mix(t, 1373.15) - 9 - 40 * std::exp(-t * t / 300); });
   add("temperature_p90.Al2O3", "K", [&](double t) { return mix(t, 1373.15) + 7; });
   add("temperature_mean.SrFeO3", "K", [&](double t) { return mix(t, 973.15); });
   add("temperature_p10.SrFeO3", "K", [&](double t) { return mix(t, 973.15) - 11; });
-  add("temperature_p90.SrFeO3", "K", [&](double t) { return mix(t, 973.15) + 9 + 60 * std::exp(-t * t / 300); });
+  add("temperature_p90.SrFeO3", "K",
+      [&](double t) { return mix(t, 973.15) + 9 + 60 * std::exp(-t * t / 300); });
   add("delta_mean", "1", [](double t) { return 0.327 + cumulative(t, 0.125, 25); });
   add("delta_p10", "1", [](double t) { return 0.327 + cumulative(t, 0.115, 25); });
   add("delta_p90", "1", [](double t) { return 0.327 + cumulative(t, 0.132, 25); });
   add("pressure", "Pa", pressure);
-  add("oxygen_pressure", "Pa", [](double t) { return pressure(t) * (0.21 + cumulative(t, 0.78, 40)); });
-  add("nitrogen_pressure", "Pa", [](double t) { return pressure(t) * (0.79 - cumulative(t, 0.78, 40)); });
+  add("oxygen_pressure", "Pa",
+      [](double t) { return pressure(t) * (0.21 + cumulative(t, 0.78, 40)); });
+  add("nitrogen_pressure", "Pa",
+      [](double t) { return pressure(t) * (0.79 - cumulative(t, 0.78, 40)); });
   add("gas_temperature", "K", [](double t) { return 298.15 + cumulative(t, 500, 30); });
   add("oxygen_released", "mol", [](double t) { return cumulative(t, 7.0e-3, 25); });
-  add("oxygen_rate", "mol s-1", [](double t) { return t < 0 ? 0.0 : 7.0e-3 / 25 * std::exp(-t / 25); });
+  add("oxygen_rate", "mol s-1",
+      [](double t) { return t < 0 ? 0.0 : 7.0e-3 / 25 * std::exp(-t / 25); });
   add("oxygen_pumped", "mol", [](double t) { return cumulative(t - 10, 6.8e-3, 30); });
   add("heat_contact", "J", [](double t) { return cumulative(t, 420, 15); });
   add("heat_gap", "J", [](double t) { return cumulative(t, 2300, 10); });
@@ -150,7 +157,8 @@ io::Series series_of() {
   add("heat_to_walls", "J", [](double t) { return cumulative(t, 1900, 500); });
   add("heat_reaction", "J", [](double t) { return cumulative(t, 1180, 25); });
   add("heat_to_surroundings", "J", [](double t) { return cumulative(t, 35, 0.3); });
-  add("kinetic_energy", "J", [](double t) { return t < 0 ? 1e-9 : 0.05 * t * std::exp(-t * t / 0.05) + 1e-10; });
+  add("kinetic_energy", "J",
+      [](double t) { return t < 0 ? 1e-9 : 0.05 * t * std::exp(-t * t / 0.05) + 1e-10; });
   add("thermocouple.centre", "K", [&](double t) { return mix(t, 1100.0) + 20; });
   return series;
 }
@@ -223,7 +231,8 @@ RunData synthetic_run(std::size_t particles, const std::string& name) {
   const auto bed = std::make_shared<Bed>(settle(particles));
   RunData run;
   run.name = name;
-  run.header.case_text = "# made up\ntitle = \"</script><b>not bold</b>\"\n[run]\nname = \"" + name + "\"\n";
+  run.header.case_text =
+      "# made up\ntitle = \"</script><b>not bold</b>\"\n[run]\nname = \"" + name + "\"\n";
   run.header.species = {"Al2O3", "SrFeO3"};
   run.header.patches = {"chamber.side", "chamber.floor"};
   run.header.provenance = {{"version", "0.1.0"}};
@@ -240,7 +249,8 @@ RunData synthetic_run(std::size_t particles, const std::string& name) {
 
 RunData mechanics_only(RunData run) {
   Value kept;
-  for (const char* key : {"status", "mechanics", "provenance"}) kept.set(key, *run.summary.find(key));
+  for (const char* key : {"status", "mechanics", "provenance"})
+    kept.set(key, *run.summary.find(key));
   run.summary = kept;
   run.setup.reset();
   std::vector<io::Column> columns;

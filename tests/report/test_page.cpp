@@ -58,11 +58,11 @@ TEST_CASE("The report is one file with all of its sections") {
 
 TEST_CASE("The answer comes first and in figures") {
   const std::string& html = hot_page();
-  CHECK(contains(html, "871.9"));                   // 1145.05 K in degC
+  CHECK(contains(html, "871.9"));  // 1145.05 K in degC
   CHECK(contains(html, "with no particle lost"));
-  CHECK(contains(html, "pO2 below the fit"));       // the warning
+  CHECK(contains(html, "pO2 below the fit"));         // the warning
   CHECK(contains(html, "chamber.film_coefficient"));  // the assumed input
-  CHECK(contains(html, "Not reproduced."));         // the title says demonstrator
+  CHECK(contains(html, "not reproduced."));           // the title says demonstrator
 }
 
 TEST_CASE("Nothing in a case's text can end the page's scripts or become markup") {

@@ -15,9 +15,9 @@ TEST_CASE("Numbers get the digits they deserve") {
   CHECK(with_unit(Quantity::energy, 3310.4) == "3.31\u202fkJ");
   CHECK(with_unit(Quantity::energy, 999.6e3) == "1000\u202fkJ");
   CHECK(with_unit(Quantity::count, 173769.0) == "173,769");
-  CHECK(with_unit(Quantity::residual, 3.14e-9) == "3.1e-09");
+  CHECK(with_unit(Quantity::residual, 3.14e-9) == "3.1·10⁻⁹");
   CHECK(with_unit(Quantity::pressure, 101325.0) == "101.3\u202fkPa");
-  CHECK(with_unit(Quantity::time, 1800.0) == "30.0\u202fmin");
+  CHECK(with_unit(Quantity::time, 1800.0) == "30\u202fmin");
 }
 
 TEST_CASE("A value that is not known is shown as a dash") {
@@ -46,7 +46,7 @@ TEST_CASE("Base 64 agrees with RFC 4648") {
 
 TEST_CASE("Text cannot become markup") {
   CHECK(escape("<b>&\"") == "&lt;b&gt;&amp;&quot;");
-  CHECK(chemical("SrFeO3") == "SrFeO<sub>3</sub>");
+  CHECK(chemical("SrFeO3") == "SrFeO₃");
 }
 
 TEST_CASE("JSON is read and written, and what is absent reads as absent") {

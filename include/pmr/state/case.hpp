@@ -96,7 +96,7 @@ struct ChamberCase {
 struct MechanicsModel {
   std::optional<double> time_step;  // [s]; none: fraction_of_rayleigh
   double fraction_of_rayleigh;      // [1] of the smallest critical step
-  double skin;                      // [1] of the smallest radius
+  double skin;                      // [1] of the smallest radius, of a bed at rest
 };
 struct ConductionModel {
   bool contact;            // solid contacts

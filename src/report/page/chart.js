@@ -34,6 +34,13 @@ pmr.with_unit = function (v, unit) { return pmr.number(v) + (unit && unit !== "1
 
 pmr.axis_title = function (label, unit) { return label + " [" + (unit || "1") + "]"; };
 
+// A tick of a linear axis: the decimals its step needs, so that no two ticks read alike.
+pmr.tick = function (v, ticks) {
+  var step = ticks.length > 1 ? Math.abs(ticks[1] - ticks[0]) : Math.abs(v);
+  if (v === 0 || step < 1e-6 || step > 1e6) return pmr.number(v);
+  return v.toFixed(Math.max(0, Math.ceil(-Math.log(step) / Math.LN10 - 1e-9))).replace("-", "−");
+};
+
 // Ticks of a log axis: the decades, with 2 and 5 between them where there are few.
 pmr.log_ticks = function (domain, room) {
   var low = Math.floor(Math.log(domain[0]) / Math.LN10 - 1e-9), high = Math.ceil(Math.log(domain[1]) / Math.LN10 + 1e-9);
@@ -72,6 +79,8 @@ pmr.y_scale = function (all, axis, height) {
     return d3.scale.log().domain([bottom / 1.15, top * 1.15]).range([height, 0]).clamp(true);
   }
   var low = d3.min(values), high = d3.max(values), span = high - low || Math.abs(high) * 0.1 || 1;
+  // From zero where zero is near; a little less than nothing gets a little room only.
+  if (low < 0 && low > -0.1 * high) return d3.scale.linear().domain([1.2 * low, 1.04 * high]).range([height, 0]);
   if (low >= 0 && low < 0.35 * high) low = 0; else low -= 0.04 * span;
   return d3.scale.linear().domain([low, high + 0.04 * span]).range([height, 0]).nice(5);
 };
@@ -94,13 +103,14 @@ pmr.draw_axes = function (svg, x, y, size, spec) {
   var grid = svg.append("g").attr("class", "grid"), axis = svg.append("g").attr("class", "axis");
   y_ticks.forEach(function (v) {
     grid.append("line").attr({ x1: 0, x2: size.width, y1: y(v), y2: y(v) });
-    axis.append("text").attr({ x: -7, y: y(v) + 4, "text-anchor": "end" }).text(pmr.number(v));
+    axis.append("text").attr({ x: -7, y: y(v) + 4, "text-anchor": "end" })
+      .text(log_y ? pmr.number(v) : pmr.tick(v, y_ticks));
   });
   x_ticks.forEach(function (v) {
     grid.append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: size.height });
     axis.append("line").attr({ x1: x(v), x2: x(v), y1: size.height, y2: size.height + 4 });
     axis.append("text").attr({ x: x(v), y: size.height + 17, "text-anchor": "middle" })
-      .text(spec.kind === "azimuth" ? v + "°" : pmr.number(v));
+      .text(spec.kind === "azimuth" ? v + "°" : log_x ? pmr.number(v) : pmr.tick(v, x_ticks));
   });
   axis.append("path").attr("d", "M0,0V" + size.height + "H" + size.width);
   svg.append("text").attr({ x: -size.left + 2, y: -9, "class": "strong" })
@@ -111,7 +121,7 @@ pmr.draw_axes = function (svg, x, y, size, spec) {
 
 pmr.draw_lines = function (svg, spec, all, x, y) {
   function drawable(p) {
-    return p.y !== null && (spec.y.scale !== "log" || p.y > 0) &&
+    return p.y !== null && (spec.y.scale !== "log" || p.y >= y.domain()[0]) &&
       (spec.kind !== "course" || pmr.time.scale !== "log" || p.x >= x.domain()[0]);
   }
   var line = d3.svg.line().defined(drawable).x(function (p) { return x(p.x); }).y(function (p) { return y(p.y); });
@@ -130,7 +140,7 @@ pmr.draw_lines = function (svg, spec, all, x, y) {
 };
 
 pmr.draw_events = function (svg, spec, x, size) {
-  var right = -100;
+  var right = 7 * pmr.axis_title(spec.y.label, spec.y.unit).length - size.left;  // free of the title
   (spec.events || []).slice().sort(function (a, b) { return a.t - b.t; }).forEach(function (e) {
     if (e.t < x.domain()[0] || e.t > x.domain()[1]) return;
     var at = x(e.t), g = svg.append("g").attr("class", "event");
@@ -138,7 +148,7 @@ pmr.draw_events = function (svg, spec, x, size) {
     var flip = at > size.width - 60, start = flip ? at - 58 : at + 3;
     if (start < right) return;
     right = start + 8 * e.label.length;
-    g.append("text").attr({ x: flip ? at - 3 : at + 3, y: 10, "text-anchor": flip ? "end" : "start" }).text(e.label);
+    g.append("text").attr({ x: flip ? at - 3 : at + 3, y: -9, "text-anchor": flip ? "end" : "start" }).text(e.label);
   });
 };
 
@@ -188,6 +198,13 @@ pmr.follow = function (chart) {
     });
 };
 
+// The fill of the tubes before the release is left out, but for a little of it.
+pmr.since_release = function (all) {
+  var last = d3.max(d3.merge(all), function (p) { return p.x; });
+  if (!(last > 0)) return all;
+  return all.map(function (points) { return points.filter(function (p) { return p.x >= -0.03 * last; }); });
+};
+
 pmr.draw_line_chart = function (holder, spec, width) {
   if (spec.kind === "azimuth") spec.y = { label: "mass ratio w", unit: "1", scale: "log" };
   pmr.keys(holder, spec.lines);
@@ -197,6 +214,7 @@ pmr.draw_line_chart = function (holder, spec, width) {
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (size.height + size.top + size.bottom))
     .append("g").attr("transform", "translate(" + size.left + "," + size.top + ")");
   var all = spec.lines.map(function (l) { return pmr.points(l, spec.y); });
+  if (spec.kind === "course") all = pmr.since_release(all);
   var x = pmr.x_scale(all, spec, size.width), y = pmr.y_scale(all, spec.y, size.height);
   pmr.draw_axes(svg, x, y, size, spec);
   if (spec.kind === "azimuth") svg.append("line").attr({ "class": "unity", x1: 0, x2: size.width, y1: y(1), y2: y(1) });

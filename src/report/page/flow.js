@@ -8,7 +8,7 @@ pmr.energy = function (joule) {
 
 // Node values, and where each stands; the tallest column fills `height`.
 pmr.flow_layout = function (spec, height) {
-  var nodes = {}, gap = 26;
+  var nodes = {}, gap = 30;
   spec.nodes.forEach(function (n) { nodes[n.id] = { node: n, into: 0, out: 0, top: 0 }; });
   spec.links.forEach(function (l) { nodes[l.from].out += l.value; nodes[l.to].into += l.value; });
   var used = spec.nodes.map(function (n) { return nodes[n.id]; }).filter(function (n) { return n.into + n.out > 0; });
@@ -32,8 +32,8 @@ pmr.ribbon = function (x0, y0, x1, y1, thickness) {
 
 pmr.draw_flow = function (holder, spec, width) {
   var narrow = width < 620, left = 6, right = narrow ? 112 : 170, bar = 14, height = narrow ? 240 : 290, top = 34;
-  var layout = pmr.flow_layout(spec, height), total = layout.used[0].value;
-  var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (height + top + 12))
+  var layout = pmr.flow_layout(spec, height), total = d3.sum(layout.used, function (n) { return n.node.column === 0 ? n.out : 0; });
+  var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (height + top + 36))
     .append("g").attr("transform", "translate(" + left + "," + top + ")");
   var last = d3.max(layout.used, function (n) { return n.node.column; });
   function x(n) { return n.node.column / last * (width - left - right - bar); }
@@ -57,7 +57,7 @@ pmr.draw_flow = function (holder, spec, width) {
       "text-anchor": !end && n.node.column > 0 ? "middle" : "start" });
     text.append("tspan").attr("class", "strong").text(n.node.label);
     text.append("tspan").attr({ x: end ? x(n) + bar + 8 : x(n), dy: 14 })
-      .text(pmr.energy(n.value) + (n.node.column ? " (" + d3.format(".2r")(100 * n.value / total) + " %)" : ""));
+      .text(pmr.energy(n.value) + (n.value < total ? " (" + d3.format(".2r")(100 * n.value / total) + " %)" : ""));
   });
 };
 

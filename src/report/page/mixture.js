@@ -10,7 +10,7 @@ pmr.draw_layers = function (holder, spec, width) {
   var left = 58, right = 16, top = 12, step = 32, inside = width - left - right, height = layers * step;
   var values = d3.merge(spec.lines.map(function (l) { return l.w; })).filter(function (w) { return w > 0; });
   if (spec.published) values = values.concat([0.5, 3.5]);
-  var x = d3.scale.log().domain([Math.min(0.2, d3.min(values) / 1.3), Math.max(5, d3.max(values) * 1.3)]).range([0, inside]);
+  var x = d3.scale.log().domain([Math.min(0.14, d3.min(values) / 1.3), Math.max(5, d3.max(values) * 1.3)]).range([0, inside]);
   function y(layer) { return (layer + 0.5) * step; }
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (height + top + 42))
     .append("g").attr("transform", "translate(" + left + "," + top + ")");
@@ -31,8 +31,7 @@ pmr.draw_published = function (svg, x, y, layers, step) {
   function statement(w, first, last, text) {
     svg.append("line").attr({ x1: x(w), x2: x(w), y1: y(first) - step * 0.42, y2: y(last) + step * 0.42,
       stroke: "#b4bcc6", "stroke-width": 9, "stroke-linecap": "round", opacity: 0.75 });
-    svg.append("text").attr({ x: x(w) + (w > 1 ? 12 : -12), y: y(first) - step * 0.18 + (w > 1 ? 0 : -10),
-      "text-anchor": w > 1 ? "start" : "end" }).text(text);
+    svg.append("text").attr({ x: x(w) - 12, y: y(first) - step * 0.18 - (w > 1 ? 0 : 10), "text-anchor": "end" }).text(text);
   }
   statement(3.5, 0, 0, "measured: about 3.5");
   if (layers > 3) statement(0.5, layers - 3, layers - 1, "measured: about 0.5");
@@ -59,7 +58,9 @@ pmr.ratio_colour = function (cells, colours) {
 };
 
 pmr.draw_unrolled = function (holder, spec, width) {
-  var colour = pmr.ratio_colour(spec.cells, spec.colours);
+  // Beds that are compared share one scale.
+  var all = d3.values(pmr.data.charts).filter(function (c) { return c.kind === "unrolled"; });
+  var colour = pmr.ratio_colour(d3.merge(all.map(function (c) { return c.cells; })), spec.colours);
   var left = 58, right = 12, top = 8, columns = spec.azimuth.length, rows = spec.cells.length;
   var w = (width - left - right) / columns, h = 30;
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (rows * h + top + 92))
