@@ -95,8 +95,8 @@ std::vector<double> round_ticks(Limits limits, int wanted) {
 }
 
 std::string colour_bar(ColourMap map, Limits limits, const std::string& label) {
-  static int bars = 0;
-  const std::string id = "bar" + std::to_string(++bars);
+  // Same map, same gradient: bars may share it.
+  const std::string id = map == ColourMap::viridis ? "viridis" : "inferno";
   std::string svg =
       element("defs", element("linearGradient", gradient_stops(map, 24), "id=\"" + id + "\""));
   svg +=
