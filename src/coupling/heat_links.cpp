@@ -144,20 +144,27 @@ void link_all_walls(const Context& context, const Nodes& nodes, const State& sta
   for (const auto& row : found) links.insert(links.end(), row.begin(), row.end());
 }
 
+constexpr double bed_part = 0.99;  // [1] of the particles lie below the bed's top
+
+// Height that `bed_part` of the centres do not rise above [m]: a grain stuck higher is no bed.
+double top_of_bed(const Particles& p) {
+  std::vector<double> heights;
+  for (const Vec3& x : p.position) heights.push_back(x.z());
+  const auto rank = static_cast<std::ptrdiff_t>(bed_part * static_cast<double>(p.size() - 1));
+  std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
+  return heights[static_cast<std::size_t>(rank)];
+}
+
 // A film of gas over the bed's top: the particles whose centres lie within one largest diameter of
-// the highest, each with its cross-section; and over the walls of the closed chamber.
-void link_gas(const Context& context, const Nodes& nodes, const State& state,
+// it or above, each with its cross-section; and over the walls of the closed chamber.
+void link_gas(const Case& c, const Nodes& nodes, const State& state,
               std::vector<HeatLink>& links) {
-  const Case& c = context.kase;
   const Particles& p = state.particles;
   if (!c.chamber || state.phase != Phase::react || p.size() == 0) return;
-  double top = p.position[0].z(), largest = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    top = std::max(top, p.position[i].z());
-    largest = std::max(largest, 2.0 * p.radius[i]);
-  }
   const double film = c.chamber->film_coefficient;
   if (film <= 0.0) return;
+  const double largest = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
+  const double top = top_of_bed(p);
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.position[i].z() > top - largest)
       links.push_back({p.id[i], nodes.gas(), 0.0, film * pi * p.radius[i] * p.radius[i]});
@@ -178,7 +185,7 @@ std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& st
     link_particles(context, state, links);
     link_all_walls(context, nodes, state, links);
   }
-  link_gas({c, c.models.conduction.value_or(ConductionModel{}), {}}, nodes, state, links);
+  link_gas(c, nodes, state, links);
   std::sort(links.begin(), links.end(), [](const HeatLink& a, const HeatLink& b) {
     return a.a != b.a ? a.a < b.a : a.b < b.b;
   });

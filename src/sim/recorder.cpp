@@ -1,6 +1,6 @@
 #include "sim/recorder.hpp"
 
-#include <cmath>
+#include <limits>
 
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
@@ -96,9 +96,11 @@ void Recorder::add_row(const State& state) {
   const Balance balance = close_books(case_, state);
   row.put("energy_residual", "J", balance.energy_residual);
   row.put("oxygen_residual", "mol", balance.oxygen_residual);
-  for (const Thermocouple& probe : case_.thermocouples)
-    row.put("thermocouple." + probe.name, "K",
-            instruments::read_thermocouple(probe, state.particles).temperature);
+  for (const Thermocouple& probe : case_.thermocouples) {
+    const auto reading = instruments::read_thermocouple(probe, state.particles);
+    const double none = std::numeric_limits<double>::quiet_NaN();  // nothing at its tip yet
+    row.put("thermocouple." + probe.name, "K", reading.particles > 0 ? reading.temperature : none);
+  }
   if (nodes_.cells > 0)
     row.put("wall_temperature_mean", "K",
             mean_wall_temperature(coupling::patch_temperatures(case_, nodes_, state.walls), nodes_));

@@ -53,7 +53,9 @@ void Simulation::move(const Interval& interval) {
   const Holdings before = holdings(case_, state_.particles);
   const std::size_t lost = state_.lost.size();
   mechanics_.advance(state_, interval.sub_steps, timings_);
-  if (state_.lost.size() > lost) book_losses(case_, before, state_);
+  if (state_.lost.size() == lost) return;
+  book_losses(case_, before, state_);
+  state_.exchange = {};  // the lost take no further part in it: traced anew
 }
 
 // While the bed moves, after a stated time; at rest, when the bed has just come to rest, a wall has
@@ -63,7 +65,8 @@ void Simulation::retrace_if_due(const Interval& interval) {
   const RadiationModel& model = *case_.models.radiation;
   const StageTimer timer(timings_, "radiation");
   const double traced = state_.exchange.traced_at;
-  bool due = interval.moves() ? state_.time - traced >= model.retrace_interval
+  const double rounding = 0.5 * mechanics_.time_step();  // [s]
+  bool due = interval.moves() ? state_.time - traced >= model.retrace_interval - rounding
                               : traced < state_.settled_at || !std::isfinite(traced);
   for (const Surface& surface : case_.walls.surfaces)
     due = due || is_present(surface, traced) != is_present(surface, state_.time);

@@ -47,7 +47,7 @@ const std::map<std::string, std::string> foreign = {
     {"embree3/", "radiation/scene.cpp"},   {"hdf5.h", "src/io/hdf5.cpp"},
     {"toml++/", "src/case/toml_file.cpp"},      {"udunits2", "src/case/units.cpp"},
     {"assimp/", "src/case/stl.cpp"},       {"cvodes/", "src/coupling/cvode.cpp"},
-    {"nvector/", "src/coupling/cvode.cpp"}, {"sunlinsol/", "src/coupling/cvode.cpp"},
+    {"nvector/", "src/coupling/cvode.cpp"}, {"sunlinsol/", "src/coupling/cvode.cpp"}, {"sunnonlinsol/", "src/coupling/cvode.cpp"},
     {"sundials/", "src/coupling/cvode.cpp"}, {"tbb/", "src/base/parallel.cpp"},
     {"png.h", "src/report/png.cpp"},
 };
