@@ -21,8 +21,8 @@ CaseError::CaseError(std::vector<Fault> faults)
 
 void ensure(bool holds, const char* promise, const char* file, int line) {
   if (holds) return;
-  throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": broken promise: " +
-                         promise);
+  throw std::logic_error(std::string(file) + ":" + std::to_string(line) +
+                         ": broken promise: " + promise);
 }
 
 }  // namespace pmr

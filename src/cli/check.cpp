@@ -18,7 +18,7 @@ namespace pmr::cli {
 namespace {
 
 // Measured on two cores of a 2023 server, small and full rig; for a forecast to a factor of two.
-constexpr double particle_steps_per_second = 8e6;  // [1/s]
+constexpr double particle_steps_per_second = 8e6;    // [1/s]
 constexpr double react_seconds_per_particle = 0.02;  // [s] of 30 minutes of reaction
 
 std::string grouped(std::size_t value) {
@@ -49,10 +49,10 @@ std::size_t print_species(const Case& c) {
 void print_forecast(const Case& c, std::size_t particles, double step) {
   const double moving = (c.fill ? c.fill->duration : 0.0) + (c.mix ? c.mix->duration : 0.0);
   const double steps = moving / step;
-  const double seconds = steps * static_cast<double>(particles) / particle_steps_per_second +
-                         (c.react && sim::has_heat(c)
-                              ? react_seconds_per_particle * static_cast<double>(particles)
-                              : 0.0);
+  const double seconds =
+      steps * static_cast<double>(particles) / particle_steps_per_second +
+      (c.react && sim::has_heat(c) ? react_seconds_per_particle * static_cast<double>(particles)
+                                   : 0.0);
   const double frames =
       moving / c.output.snapshot_interval + static_cast<double>(c.output.snapshot_times.size());
   fmt::print("forecast     at most {} steps, {:.2g} min on two cores, {:.2g} MB of output\n",

@@ -40,7 +40,8 @@ struct Parser {
     run_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
     run_verb->add_option("-o,--output", run_options.folder, "run folder [out/<case>]");
     run_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
-        ->expected(1)->take_all();
+        ->expected(1)
+        ->take_all();
     run_verb->add_option("--threads", run_options.threads, "threads [all cores]")
         ->check(CLI::Range(0, 1024));
     run_verb->callback([this] { action = [this] { return run(run_options); }; });
@@ -58,10 +59,10 @@ struct Parser {
     auto* check_verb = app.add_subcommand("check", "validate a case, print derived figures");
     check_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
     check_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
-        ->expected(1)->take_all();
-    check_verb->callback([this] {
-      action = [this] { return check(run_options.case_file, run_options.sets); };
-    });
+        ->expected(1)
+        ->take_all();
+    check_verb->callback(
+        [this] { action = [this] { return check(run_options.case_file, run_options.sets); }; });
   }
 
   void add_looks() {

@@ -21,9 +21,9 @@ void summarise(const sim::Simulation& simulation, const RunRecord& record,
                const std::string& status) {
   auto provenance = record.provenance;
   provenance["state_hash"] = hexadecimal(io::state_hash(simulation.state()));
-  sim::write_summary(record.folder, {simulation.setup(), simulation.state(), simulation.nodes(),
-                                     simulation.timings(), simulation.time_step(), status,
-                                     provenance});
+  sim::write_summary(record.folder,
+                     {simulation.setup(), simulation.state(), simulation.nodes(),
+                      simulation.timings(), simulation.time_step(), status, provenance});
 }
 
 void print_headline(const sim::Simulation& simulation, const sim::Balance& balance) {
@@ -40,9 +40,10 @@ void print_headline(const sim::Simulation& simulation, const sim::Balance& balan
     log_info(fmt::format("oxygen   {:.6g} mol released, {:.4g} kJ of reaction heat",
                          state.fluxes.oxygen_released, 1e-3 * state.fluxes.reaction));
   if (sim::has_heat(simulation.setup()))
-    log_info(fmt::format("books    energy {:.1e}, oxygen {:.1e}, particles {} in, {} alive, {} lost",
-                         balance.energy_relative, balance.oxygen_relative, balance.inserted,
-                         balance.alive, balance.lost));
+    log_info(
+        fmt::format("books    energy {:.1e}, oxygen {:.1e}, particles {} in, {} alive, {} lost",
+                    balance.energy_relative, balance.oxygen_relative, balance.inserted,
+                    balance.alive, balance.lost));
   log_info("state    " + hexadecimal(io::state_hash(state)));
 }
 
@@ -60,10 +61,10 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
   report::write_report({record.folder}, record.folder / "report.html");
   log_info("report   " + (record.folder / "report.html").string());
   if (!closes) {
-    log_error(fmt::format("the books do not close: energy {:.2e} (limit {:.0e}), oxygen {:.2e} "
-                          "(limit {:.0e}); see balances in summary.json",
-                          balance.energy_relative, sim::energy_limit, balance.oxygen_relative,
-                          sim::oxygen_limit));
+    log_error(fmt::format(
+        "the books do not close: energy {:.2e} (limit {:.0e}), oxygen {:.2e} "
+        "(limit {:.0e}); see balances in summary.json",
+        balance.energy_relative, sim::energy_limit, balance.oxygen_relative, sim::oxygen_limit));
     return failed;
   }
   if (completed) return done;

@@ -14,10 +14,14 @@ namespace {
 
 const char* name_of(Phase phase) {
   switch (phase) {
-    case Phase::fill: return "fill";
-    case Phase::mix: return "mix";
-    case Phase::react: return "react";
-    case Phase::done: break;
+    case Phase::fill:
+      return "fill";
+    case Phase::mix:
+      return "mix";
+    case Phase::react:
+      return "react";
+    case Phase::done:
+      break;
   }
   return "done";
 }
@@ -41,8 +45,8 @@ std::string temperatures(const sim::Simulation& simulation) {
   for (std::size_t s = 0; s < species.size(); ++s) {
     const auto figures =
         instruments::species_figures(simulation.state().particles, static_cast<SpeciesIndex>(s));
-    text += fmt::format("  {} {:.1f} degC", species[s].name,
-                        figures.temperature.mean - zero_celsius);
+    text +=
+        fmt::format("  {} {:.1f} degC", species[s].name, figures.temperature.mean - zero_celsius);
   }
   return text;
 }
@@ -59,9 +63,9 @@ Progress::Progress() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
 std::string Progress::line(const sim::Simulation& simulation) const {
   const double part = part_done(simulation);
   const double gained = part - phase_start_;
-  const std::string eta =
-      gained > 0.02 ? "  phase ends in at most " + clock(phase_clock_.seconds() * (1.0 - part) / gained)
-                    : "";
+  const std::string eta = gained > 0.02 ? "  phase ends in at most " +
+                                              clock(phase_clock_.seconds() * (1.0 - part) / gained)
+                                        : "";
   return fmt::format("{:5} t = {:9.4f} s{}  elapsed {}{}", name_of(simulation.state().phase),
                      simulation.state().time, temperatures(simulation), clock(total_.seconds()),
                      eta);

@@ -20,7 +20,7 @@ class Progress {
   bool is_terminal_;
   Stopwatch total_, phase_clock_, since_shown_;
   Phase phase_ = Phase::done;
-  double phase_start_ = 0.0;   // [1] part of the phase that was done when first seen
+  double phase_start_ = 0.0;  // [1] part of the phase that was done when first seen
   bool shown_ = false;
 };
 

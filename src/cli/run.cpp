@@ -60,8 +60,8 @@ int carry_out(sim::Simulation& simulation, const RunRecord& record) {
   std::signal(SIGTERM, on_signal);
   Progress progress;
   try {
-    const sim::Ending ending = simulation.run(
-        stop_wanted, [&](const sim::Simulation& now) { progress.show(now); });
+    const sim::Ending ending =
+        simulation.run(stop_wanted, [&](const sim::Simulation& now) { progress.show(now); });
     progress.finish();
     return finish_run(simulation, record, ending);
   } catch (const NumericsError& error) {

@@ -10,10 +10,10 @@ namespace pmr::cli {
 
 struct RunOptions {
   std::filesystem::path case_file;
-  std::filesystem::path folder;     // empty: out/<name of the case file>
-  std::vector<std::string> sets;    // key=value
-  int threads = 0;                  // 0: all cores
-  std::string command;              // as typed, for the record
+  std::filesystem::path folder;   // empty: out/<name of the case file>
+  std::vector<std::string> sets;  // key=value
+  int threads = 0;                // 0: all cores
+  std::string command;            // as typed, for the record
 };
 int run(const RunOptions& options);
 int resume(const std::filesystem::path& folder, int threads, const std::string& command);

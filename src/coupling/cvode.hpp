@@ -16,12 +16,12 @@ using Out = std::span<double>;
 struct OdeProblem {
   std::function<bool(double t, In y, Out rate)> rate;
   std::function<bool(double t, In y, Out rate)> quadrature;
-  std::function<void(double t, In y)> linearise;        // fixes J(y) for `product` and `prepare`
-  std::function<void(In v, Out jv)> product;            // J v
-  std::function<void(double gamma)> prepare;            // P = I - gamma J, approximately
-  std::function<void(In r, Out z)> precondition;        // z = P^-1 r
-  std::function<void(In y, Out weight)> weigh;          // 1/tolerance of each unknown
-  std::size_t quadratures = 0;                          // [1] length of q
+  std::function<void(double t, In y)> linearise;  // fixes J(y) for `product` and `prepare`
+  std::function<void(In v, Out jv)> product;      // J v
+  std::function<void(double gamma)> prepare;      // P = I - gamma J, approximately
+  std::function<void(In r, Out z)> precondition;  // z = P^-1 r
+  std::function<void(In y, Out weight)> weigh;    // 1/tolerance of each unknown
+  std::size_t quadratures = 0;                    // [1] length of q
 };
 
 struct OdeResult {

@@ -45,8 +45,8 @@ void find_gas(const System& system, double t, std::span<const double> y, Evaluat
 void find_temperatures(const System& system, std::span<const double> y, Evaluation& at) {
   parallel_for(system.nodes->particles, [&](std::size_t id) {
     if (system.stores[id] == 0) return;
-    at.temperature[id] = chemistry::temperature(system.solid[id], y[id],
-                                                delta_of(system, y, id), at.temperature[id]);
+    at.temperature[id] = chemistry::temperature(system.solid[id], y[id], delta_of(system, y, id),
+                                                at.temperature[id]);
   });
   at.wall_temperature.resize(system.nodes->cells);
   for (const WallProfile& wall : system.profiles) {
@@ -113,14 +113,12 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
 }
 
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate) {
-  parallel_for(system.nodes->particles, [&](std::size_t id) {
-    rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0;
-  });
+  parallel_for(system.nodes->particles,
+               [&](std::size_t id) { rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0; });
   double oxygen = 0.0, oxygen_heat = 0.0;  // [mol/s], [W] given to the gas
   for (std::size_t k = 0; k < system.reactants.size(); ++k) {
     const Reactant& grain = system.reactants[k];
-    const double heat =
-        at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
+    const double heat = at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
     rate[grain.id] -= heat;
     rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.iron;
     oxygen += at.release[k];
@@ -128,8 +126,7 @@ void fill_rates(const System& system, const Evaluation& at, std::span<double> ra
   }
   for (const WallProfile& wall : system.profiles) {
     const std::size_t cells = wall.conductance.size();
-    physics::column_rates(system.nodes->columns[wall.surface],
-                          {wall.area, at.heat[wall.node]},
+    physics::column_rates(system.nodes->columns[wall.surface], {wall.area, at.heat[wall.node]},
                           {at.wall_temperature.data() + wall.first_cell, cells}, wall.conductance,
                           rate.subspan(system.cell_begin() + wall.first_cell, cells));
   }

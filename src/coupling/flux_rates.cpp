@@ -77,12 +77,11 @@ void add_reaction(const System& system, const Evaluation& at, std::span<const do
     const auto& equilibrium = system.solid[grain.id].material->redox->equilibrium;
     const double release = at.release[k];
     rates.oxygen_released += release;
-    rates.reaction += 2.0 * release *
-                      chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
+    rates.reaction +=
+        2.0 * release * chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
     if (system.closed) continue;
     rates.oxygen_to_air += release;
-    rates.gas_energy_out +=
-        release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
+    rates.gas_energy_out += release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
   }
 }
 
@@ -104,8 +103,8 @@ Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const do
   add_walls(system, at, sorter.rates);
   add_reaction(system, at, y, sorter.rates);
   if (system.closed) add_gas(at.gas, sorter.rates);
-  sorter.rates.heat_exchanged = parallel_sum(
-      system.nodes->particles, [&](std::size_t id) { return std::abs(at.heat[id]); });
+  sorter.rates.heat_exchanged =
+      parallel_sum(system.nodes->particles, [&](std::size_t id) { return std::abs(at.heat[id]); });
   return sorter.rates;
 }
 

@@ -37,14 +37,14 @@ double jump(const Context& context, const Side& side, double T) {
 
 // Conductances of a pair whose surfaces are `gap` [m] apart (negative: the soft overlap).
 HeatLink link(const Context& context, const Side& one, const Side& two, double gap) {
-  const double k1 = physics::conductivity(one.material->conductivity, one.temperature,
-                                          context.gas.pressure);
-  const double k2 = physics::conductivity(two.material->conductivity, two.temperature,
-                                          context.gas.pressure);
+  const double k1 =
+      physics::conductivity(one.material->conductivity, one.temperature, context.gas.pressure);
+  const double k2 =
+      physics::conductivity(two.material->conductivity, two.temperature, context.gas.pressure);
   const bool to_wall = two.radius == physics::plane_wall;
-  const double radius = physics::contact_radius(
-      physics::reduced_radius(one.radius, two.radius), -gap,
-      physics::contact_softening(*one.material, *two.material));
+  const double radius =
+      physics::contact_radius(physics::reduced_radius(one.radius, two.radius), -gap,
+                              physics::contact_softening(*one.material, *two.material));
   HeatLink result{0, 0, 0.0, 0.0};
   if (context.model.contact) result.contact = physics::contact_conductance(k1, k2, radius);
   if (!context.model.gap || context.gas.pressure <= 0.0) return result;
@@ -64,13 +64,12 @@ Side side_of(const Case& c, const Particles& p, std::size_t i) {
 
 void link_particles(const Context& context, const State& state, std::vector<HeatLink>& links) {
   const Particles& p = state.particles;
-  const auto pairs =
-      physics::pairs_within(p, context.model.gap ? context.model.gap_reach : 0.0);
+  const auto pairs = physics::pairs_within(p, context.model.gap ? context.model.gap_reach : 0.0);
   std::vector<HeatLink> found(pairs.size());
   parallel_for(pairs.size(), [&](std::size_t k) {
     const auto& pair = pairs[k];
-    found[k] = link(context, side_of(context.kase, p, pair.i), side_of(context.kase, p, pair.j),
-                    pair.gap);
+    found[k] =
+        link(context, side_of(context.kase, p, pair.i), side_of(context.kase, p, pair.j), pair.gap);
     found[k].a = std::min(p.id[pair.i], p.id[pair.j]);
     found[k].b = std::max(p.id[pair.i], p.id[pair.j]);
   });
@@ -138,9 +137,8 @@ void link_all_walls(const Context& context, const Nodes& nodes, const State& sta
                     std::vector<HeatLink>& links) {
   const auto faces = patch_temperatures(context.kase, nodes, state.walls);
   std::vector<std::vector<HeatLink>> found(state.particles.size());
-  parallel_for(found.size(), [&](std::size_t i) {
-    link_walls(context, nodes, state, faces, i, found[i]);
-  });
+  parallel_for(found.size(),
+               [&](std::size_t i) { link_walls(context, nodes, state, faces, i, found[i]); });
   for (const auto& row : found) links.insert(links.end(), row.begin(), row.end());
 }
 
@@ -157,8 +155,7 @@ double top_of_bed(const Particles& p) {
 
 // A film of gas over the bed's top: the particles whose centres lie within one largest diameter of
 // it or above, each with its cross-section; and over the walls of the closed chamber.
-void link_gas(const Case& c, const Nodes& nodes, const State& state,
-              std::vector<HeatLink>& links) {
+void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector<HeatLink>& links) {
   const Particles& p = state.particles;
   if (!c.chamber || state.phase != Phase::react || p.size() == 0) return;
   const double film = c.chamber->film_coefficient;

@@ -49,8 +49,8 @@ void Linearisation::fix(double t, std::span<const double> y, Evaluation& at) {
   });
   parallel_for(capacity_.size(), [&](std::size_t id) {
     if (system_.stores[id] != 0)
-      capacity_[id] = chemistry::heat_capacity(system_.solid[id], at.temperature[id],
-                                               delta_of(system_, y, id));
+      capacity_[id] =
+          chemistry::heat_capacity(system_.solid[id], at.temperature[id], delta_of(system_, y, id));
   });
   parallel_for(reactions_.size(), [&](std::size_t k) {
     const Reactant& grain = system_.reactants[k];
@@ -106,12 +106,10 @@ void Linearisation::temperature_changes(std::span<const double> v,
     change[id] = energy / capacity_[id];
   });
   for (const WallProfile& wall : system_.profiles)
-    change[wall.node] =
-        v[system_.cell_begin() + wall.first_cell] / cell_capacity_[wall.first_cell];
+    change[wall.node] = v[system_.cell_begin() + wall.first_cell] / cell_capacity_[wall.first_cell];
   if (system_.closed)
-    change[system_.nodes->gas()] =
-        temperature_row_.dot(Vec3(v[system_.gas_begin()], v[system_.gas_begin() + 1],
-                                  v[system_.gas_begin() + 2]));
+    change[system_.nodes->gas()] = temperature_row_.dot(
+        Vec3(v[system_.gas_begin()], v[system_.gas_begin() + 1], v[system_.gas_begin() + 2]));
 }
 
 double Linearisation::heat_change(std::size_t i, const std::vector<double>& change) const {
@@ -153,8 +151,7 @@ Linearisation::Mat32 Linearisation::gas_slopes(const Reaction& r) const {
   Mat32 slopes;
   slopes << release_H, release_delta,  //
       0.0, 0.0,                        //
-      release_H * r.oxygen_heat + warming,
-      release_delta * r.oxygen_heat - warming * r.delta_slope;
+      release_H * r.oxygen_heat + warming, release_delta * r.oxygen_heat - warming * r.delta_slope;
   return slopes;
 }
 
@@ -171,8 +168,8 @@ void Linearisation::product(std::span<const double> v, std::span<double> jv) con
   for (std::size_t k = 0; k < reactions_.size(); ++k) {
     const Reaction& r = reactions_[k];
     const double dT = change[r.id];
-    const double release = r.by_T * dT + r.by_delta * v[system_.delta_begin() + k] +
-                           r.by_pressure * pressure;
+    const double release =
+        r.by_T * dT + r.by_delta * v[system_.delta_begin() + k] + r.by_pressure * pressure;
     const double energy = release * r.oxygen_heat + r.release * r.oxygen_capacity * dT;
     jv[r.id] -= energy;
     jv[system_.delta_begin() + k] = 2.0 * release / r.iron;

@@ -52,14 +52,14 @@ class Linearisation {
   std::vector<double> capacity_;                       // [J/K] by particle id
   std::vector<double> cell_capacity_;                  // [J/K] by wall cell
   std::vector<Reaction> reactions_;
-  Mat3 gas_jacobian_ = Mat3::Zero();    // of the gas alone, by (n_O2, n_N2, U)
+  Mat3 gas_jacobian_ = Mat3::Zero();     // of the gas alone, by (n_O2, n_N2, U)
   Vec3 temperature_row_ = Vec3::Zero();  // dT_gas/d(n_O2, n_N2, U)
   Vec3 pressure_row_ = Vec3::Zero();     // dpO2/d(n_O2, n_N2, U)
   double gamma_ = 0.0;                   // [s]
   std::vector<double> particle_pivot_;   // [1] of particles that do not react, by id
   std::vector<Block> blocks_;            // by reactant
   std::vector<double> wall_lower_, wall_pivot_, wall_upper_;  // LU of the columns, by cell
-  Mat3 gas_inverse_ = Mat3::Identity();  // of the Schur complement
+  Mat3 gas_inverse_ = Mat3::Identity();                       // of the Schur complement
 };
 
 }  // namespace pmr::coupling

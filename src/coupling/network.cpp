@@ -21,9 +21,9 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
   std::vector<double> atol(system.size(), 1.0);
   for (std::size_t id = 0; id < system.solid.size(); ++id)
     if (system.stores[id] != 0)
-      atol[id] = model.temperature_tolerance *
-                 chemistry::heat_capacity(system.solid[id], at.temperature[id],
-                                          delta_of(system, y, id));
+      atol[id] =
+          model.temperature_tolerance *
+          chemistry::heat_capacity(system.solid[id], at.temperature[id], delta_of(system, y, id));
   for (std::size_t k = 0; k < system.reactants.size(); ++k)
     atol[system.delta_begin() + k] = model.delta_tolerance;
   for (const WallProfile& wall : system.profiles) {
@@ -45,8 +45,7 @@ void weigh(const System& system, double relative, const std::vector<double>& abs
            Out weight) {
   const double alone = std::sqrt(static_cast<double>(y.size()));
   for (std::size_t k = 0; k < y.size(); ++k)
-    weight[k] = (k < system.gas_begin() ? 1.0 : alone) /
-                (relative * std::abs(y[k]) + absolute[k]);
+    weight[k] = (k < system.gas_begin() ? 1.0 : alone) / (relative * std::abs(y[k]) + absolute[k]);
 }
 
 std::vector<double> as_vector(Fluxes fluxes) {

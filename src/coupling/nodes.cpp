@@ -30,8 +30,8 @@ Nodes number_nodes(const Case& c, std::size_t particles) {
     const std::uint32_t count = patch_count(surface);
     const auto areas = patch_areas(tessellate(surface, c.domain_low, c.domain_high), count);
     for (std::uint32_t k = 0; k < count; ++k) {
-      nodes.patches.push_back({s, areas[k], patch_name(surface, k),
-                               static_cast<std::uint32_t>(nodes.cells)});
+      nodes.patches.push_back(
+          {s, areas[k], patch_name(surface, k), static_cast<std::uint32_t>(nodes.cells)});
       nodes.cells += nodes.columns.back().size();
     }
   }
@@ -64,9 +64,8 @@ std::vector<double> patch_temperatures(const Case& c, const Nodes& nodes, const 
     faces.push_back(held ? held->temperature : std::numeric_limits<double>::quiet_NaN());
     if (column.size() == 0) continue;
     cells.resize(column.size());
-    physics::column_temperatures(column, patch.area,
-                                 {walls.cell_energy.data() + patch.first_cell, column.size()},
-                                 cells);
+    physics::column_temperatures(
+        column, patch.area, {walls.cell_energy.data() + patch.first_cell, column.size()}, cells);
     faces.back() = cells[0];
   }
   return faces;

@@ -22,7 +22,7 @@ struct Patch {
 };
 
 struct Nodes {
-  std::size_t particles = 0;                 // inserted
+  std::size_t particles = 0;  // inserted
   std::vector<Patch> patches;
   std::vector<std::uint32_t> first_patch;    // per surface
   std::vector<physics::WallColumn> columns;  // per surface; empty where the boundary has no profile

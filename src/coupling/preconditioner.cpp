@@ -85,8 +85,8 @@ void Linearisation::precondition(std::span<const double> r, std::span<double> z)
     for (std::size_t k = 0; k < reactions_.size(); ++k) {
       const Block& b = blocks_[k];
       const double h = r[reactions_[k].id], d = r[delta + k];
-      dgas += gamma_ * (gas_slopes(reactions_[k]) *
-                        Eigen::Vector2d(b.a * h + b.b * d, b.c * h + b.d * d));
+      dgas += gamma_ *
+              (gas_slopes(reactions_[k]) * Eigen::Vector2d(b.a * h + b.b * d, b.c * h + b.d * d));
     }
     dgas = gas_inverse_ * dgas;
     pressure = pressure_row_.dot(dgas);

@@ -82,10 +82,15 @@ double emissivity_change(const Case& c, const Nodes& nodes, const State& state) 
 Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays) {
   const auto spheres = spheres_of(state.particles);
   const auto triangles = walls_now(c, nodes, state.time);
-  radiation::ExchangeInput input{spheres, triangles, emissivities(c, nodes, state),
+  radiation::ExchangeInput input{spheres,
+                                 triangles,
+                                 emissivities(c, nodes, state),
                                  areas_of(c, nodes, state),
-                                 static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
-                                 state.interval, reservoirs(c, nodes)};
+                                 static_cast<std::uint32_t>(nodes.radiating()),
+                                 rays,
+                                 c.seed,
+                                 state.interval,
+                                 reservoirs(c, nodes)};
   Exchange exchange = radiation::trace_exchange(input);
   exchange.traced_at = state.time;
   return exchange;

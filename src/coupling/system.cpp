@@ -54,9 +54,9 @@ void list_profiles(const Case& c, const State& state, double pressure, System& s
     WallProfile profile{nodes.patch(k), patch.surface, patch.first_cell, patch.area, {}};
     std::vector<double> temperature(column.size());
     profile.conductance.resize(column.size());
-    physics::column_temperatures(
-        column, patch.area, {state.walls.cell_energy.data() + patch.first_cell, column.size()},
-        temperature);
+    physics::column_temperatures(column, patch.area,
+                                 {state.walls.cell_energy.data() + patch.first_cell, column.size()},
+                                 temperature);
     physics::column_conductances(column, c.materials, pressure, temperature, profile.conductance);
     system.stores[nodes.patch(k)] = 1;
     system.profiles.push_back(std::move(profile));
@@ -111,8 +111,8 @@ void unpack(const System& system, std::span<const double> y, State& state) {
     p.enthalpy[i] = y[p.id[i]];
     const std::uint32_t k = system.reactant_of[p.id[i]];
     if (k != System::no_reactant) p.delta[i] = y[system.delta_begin() + k];
-    p.temperature[i] = chemistry::temperature(system.solid[p.id[i]], p.enthalpy[i], p.delta[i],
-                                              p.temperature[i]);
+    p.temperature[i] =
+        chemistry::temperature(system.solid[p.id[i]], p.enthalpy[i], p.delta[i], p.temperature[i]);
   });
   for (std::size_t k = 0; k < system.nodes->cells; ++k)
     state.walls.cell_energy[k] = y[system.cell_begin() + k];

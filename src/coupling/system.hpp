@@ -36,11 +36,11 @@ struct WallProfile {
 struct System {
   const Case* kase;
   const Nodes* nodes;
-  const Csr* exchange;                   // [m2] radiation; nullptr when off
-  std::vector<HeatLink> links;           // [W/K]
-  Csr conductance;                       // [W/K] the links as symmetric rows over all nodes
-  std::vector<chemistry::Solid> solid;   // by particle id; amount 0: no longer there
-  std::vector<Reactant> reactants;       // those that may react, in order of id
+  const Csr* exchange;                     // [m2] radiation; nullptr when off
+  std::vector<HeatLink> links;             // [W/K]
+  Csr conductance;                         // [W/K] the links as symmetric rows over all nodes
+  std::vector<chemistry::Solid> solid;     // by particle id; amount 0: no longer there
+  std::vector<Reactant> reactants;         // those that may react, in order of id
   std::vector<std::uint32_t> reactant_of;  // by particle id; no_reactant
   std::vector<double> delta;               // [1] by particle id, of those that do not react
   std::vector<WallProfile> profiles;
@@ -80,10 +80,10 @@ GasRates gas_rates(const System& system, double t, std::span<const double, 3> ga
 
 // Everything the right-hand side and the quadratures are made from, at one (t, y).
 struct Evaluation {
-  std::vector<double> temperature;  // [K] by node
-  std::vector<double> emission;     // [W/m2] sigma T^4 by node
-  std::vector<double> heat;         // [W] received by each node by conduction and radiation
-  std::vector<double> release;      // [mol O2/s] of each reactant
+  std::vector<double> temperature;       // [K] by node
+  std::vector<double> emission;          // [W/m2] sigma T^4 by node
+  std::vector<double> heat;              // [W] received by each node by conduction and radiation
+  std::vector<double> release;           // [mol O2/s] of each reactant
   std::vector<double> wall_temperature;  // [K] by wall cell
   GasRates gas{};
 };

@@ -48,7 +48,8 @@ void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Material& material = material_of(c, p, i);
     p.delta[i] = delta[p.species[i]];
-    p.iron[i] = material.redox ? p.mass[i] / chemistry::molar_mass(*material.redox, p.delta[i]) : 0.0;
+    p.iron[i] =
+        material.redox ? p.mass[i] / chemistry::molar_mass(*material.redox, p.delta[i]) : 0.0;
     p.enthalpy[i] = chemistry::enthalpy(solid_of(c, p, i), p.temperature[i], p.delta[i]);
   }
   begin_walls(nodes, state.walls);
@@ -103,7 +104,8 @@ void close_chamber(const Case& c, State& state) {
 Atmosphere atmosphere(const Case& c, const State& state) {
   if (!c.chamber) return {standard_atmosphere, 0.21, zero_celsius + 20.0};
   const ChamberCase& chamber = *c.chamber;
-  if (!state.gas.closed) return {chamber.pressure, chamber.oxygen_fraction, chamber.gas_temperature};
+  if (!state.gas.closed)
+    return {chamber.pressure, chamber.oxygen_fraction, chamber.gas_temperature};
   const chemistry::GasAmount gas{state.gas.oxygen, state.gas.nitrogen};
   const double T = chemistry::gas_temperature(gas, state.gas.energy, chamber.gas_temperature);
   const double volume = gas_free_volume(c, state.particles);

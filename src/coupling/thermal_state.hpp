@@ -20,8 +20,8 @@ chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t
 // Mass of a particle [kg] from its iron and delta; inert particles keep theirs.
 void renew_masses(const Case& c, Particles& particles);
 
-double stored_energy(const State& state);   // [J] particles, walls, gas
-double bound_oxygen(const Case& c, const Particles& particles);  // [mol O2] in the solids
+double stored_energy(const State& state);                           // [J] particles, walls, gas
+double bound_oxygen(const Case& c, const Particles& particles);     // [mol O2] in the solids
 double gas_free_volume(const Case& c, const Particles& particles);  // [m3] chamber less solids
 
 // Air of the moment is shut in; the books take it in.

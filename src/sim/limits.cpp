@@ -20,13 +20,16 @@ constexpr double largest_fraction = 0.40;  // [1] of the Rayleigh step
 
 void check_mechanics(const Case& c, const State& state, std::vector<std::string>& limits) {
   if (state.extremes.overlap_ratio > largest_overlap)
-    limits.push_back(fmt::format("The largest overlap was {:.1f} % of the radius; the soft contact "
-                                 "model is trusted up to 5 %.",
-                                 100.0 * state.extremes.overlap_ratio));
+    limits.push_back(
+        fmt::format("The largest overlap was {:.1f} % of the radius; the soft contact "
+                    "model is trusted up to 5 %.",
+                    100.0 * state.extremes.overlap_ratio));
   const double fraction = physics::time_step(c).fraction;
   if (fraction > largest_fraction)
-    limits.push_back(fmt::format("The time step is {:.0f} % of the Rayleigh step; above 40 % it "
-                                 "may be unstable.", 100.0 * fraction));
+    limits.push_back(
+        fmt::format("The time step is {:.0f} % of the Rayleigh step; above 40 % it "
+                    "may be unstable.",
+                    100.0 * fraction));
   if (!state.lost.empty())
     limits.push_back(fmt::format("{} particles left the domain; the first, {}, at t = {:.4g} s.",
                                  state.lost.size(), state.lost.front().id,
@@ -44,11 +47,11 @@ void check_fit(const Case& c, const State& state, std::vector<std::string>& limi
     for (std::size_t i = 0; i < state.particles.size(); ++i) {
       if (state.particles.species[i] != s) continue;
       ++count;
-      outside += chemistry::is_within_fit(material.redox->equilibrium,
-                                          state.particles.temperature[i],
-                                          state.particles.delta[i], pressure)
-                     ? 0
-                     : 1;
+      outside +=
+          chemistry::is_within_fit(material.redox->equilibrium, state.particles.temperature[i],
+                                   state.particles.delta[i], pressure)
+              ? 0
+              : 1;
     }
     if (outside > 0)
       limits.push_back(fmt::format(
@@ -73,8 +76,9 @@ std::vector<std::string> limits_touched(const Case& c, const State& state) {
     if (!balance.closes())
       limits.push_back(fmt::format("The books do not close: energy {:.1e}, oxygen {:.1e}.",
                                    balance.energy_relative, balance.oxygen_relative));
-    limits.push_back("Particles are taken as isothermal; at Biot numbers above 0.1 this overstates "
-                     "the exchange (see biot_max).");
+    limits.push_back(
+        "Particles are taken as isothermal; at Biot numbers above 0.1 this overstates "
+        "the exchange (see biot_max).");
   }
   return limits;
 }

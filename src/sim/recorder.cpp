@@ -72,8 +72,7 @@ Recorder::Recorder(const Case& c, const coupling::Nodes& nodes, std::filesystem:
 void Recorder::add_row(const State& state) {
   Row row(rows_);
   const double passed = state.time - last_time_;
-  const double rate =
-      passed > 0.0 ? (state.fluxes.oxygen_released - last_released_) / passed : 0.0;
+  const double rate = passed > 0.0 ? (state.fluxes.oxygen_released - last_released_) / passed : 0.0;
   last_time_ = state.time;
   last_released_ = state.fluxes.oxygen_released;
   row.put("time", "s", state.time);
@@ -102,8 +101,9 @@ void Recorder::add_row(const State& state) {
     row.put("thermocouple." + probe.name, "K", reading.particles > 0 ? reading.temperature : none);
   }
   if (nodes_.cells > 0)
-    row.put("wall_temperature_mean", "K",
-            mean_wall_temperature(coupling::patch_temperatures(case_, nodes_, state.walls), nodes_));
+    row.put(
+        "wall_temperature_mean", "K",
+        mean_wall_temperature(coupling::patch_temperatures(case_, nodes_, state.walls), nodes_));
 }
 
 void Recorder::record(const State& state, bool takes_snapshot) {

@@ -31,10 +31,10 @@ class Recorder {
   const Case& case_;
   const coupling::Nodes& nodes_;
   std::filesystem::path dir_;
-  io::Series rows_;                       // not yet in run.h5
-  std::vector<io::Snapshot> snapshots_;   // not yet in run.h5
-  double last_time_ = 0.0;                // [s] of the last row
-  double last_released_ = 0.0;            // [mol] at the last row
+  io::Series rows_;                      // not yet in run.h5
+  std::vector<io::Snapshot> snapshots_;  // not yet in run.h5
+  double last_time_ = 0.0;               // [s] of the last row
+  double last_released_ = 0.0;           // [mol] at the last row
   Stopwatch since_checkpoint_;
 };
 

@@ -42,7 +42,8 @@ Interval Schedule::next(const State& state) const {
     interval.heats = false;  // the tubes are at the furnace's temperature, and so is the charge
     return interval;
   }
-  if (state.phase == Phase::mix) return moving(state, case_.mix->heat_interval, case_.mix->duration);
+  if (state.phase == Phase::mix)
+    return moving(state, case_.mix->heat_interval, case_.mix->duration);
   return frozen(state);
 }
 
@@ -52,8 +53,8 @@ Interval Schedule::moving(const State& state, double length, double phase_end) c
       1, static_cast<std::uint64_t>(std::llround((target - state.time) / time_step_)));
   const double end = state.time + static_cast<double>(sub_steps) * time_step_;
   const double frame = case_.output.snapshot_interval;
-  const bool snapshot = std::floor((end + same_time) / frame) >
-                        std::floor((state.time + same_time) / frame);
+  const bool snapshot =
+      std::floor((end + same_time) / frame) > std::floor((state.time + same_time) / frame);
   return {state.time, end, sub_steps, has_heat(case_), false, snapshot};
 }
 
@@ -90,8 +91,8 @@ Interval Schedule::frozen(const State& state) const {
   const bool snapshot = std::any_of(times.begin(), times.end(),
                                     [&](double at) { return std::abs(at - end) < same_time; }) ||
                         end >= react.end;
-  const bool closes = case_.chamber && !state.gas.closed &&
-                      state.time >= case_.chamber->closing - same_time;
+  const bool closes =
+      case_.chamber && !state.gas.closed && state.time >= case_.chamber->closing - same_time;
   return {state.time, end, 0, has_heat(case_), closes, snapshot};
 }
 

@@ -12,11 +12,11 @@ namespace pmr::sim {
 
 // [begin, end] and what falls due in it.
 struct Interval {
-  double begin, end;         // [s]; where the bed moves, the end is begin + sub_steps * dt
-  std::uint64_t sub_steps;   // of the mechanics; 0: the bed is frozen
-  bool heats;                // the network advances
-  bool closes_chamber;       // the chamber is shut at `begin`
-  bool takes_snapshot;       // the state at `end` is kept as a picture
+  double begin, end;        // [s]; where the bed moves, the end is begin + sub_steps * dt
+  std::uint64_t sub_steps;  // of the mechanics; 0: the bed is frozen
+  bool heats;               // the network advances
+  bool closes_chamber;      // the chamber is shut at `begin`
+  bool takes_snapshot;      // the state at `end` is kept as a picture
   bool moves() const { return sub_steps > 0; }
 };
 

@@ -100,9 +100,9 @@ void Simulation::watch_set_point(const Interval& interval, double pressure_befor
   const double reached = case_.chamber->pump->set_point * (1.0 + chemistry::control_band);
   const double pressure = coupling::atmosphere(case_, state_).pressure;
   if (pressure > reached) return;
-  const double part = pressure_before > reached
-                          ? std::log(pressure_before / reached) / std::log(pressure_before / pressure)
-                          : 0.0;
+  const double part = pressure_before > reached ? std::log(pressure_before / reached) /
+                                                      std::log(pressure_before / pressure)
+                                                : 0.0;
   state_.set_point_at = interval.begin + part * (interval.end - interval.begin);
 }
 

@@ -174,7 +174,8 @@ Json books_of(const SummaryInput& in) {
 Json lost_of(const State& state) {
   Json lost = Json::array();
   for (const LostParticle& p : state.lost)
-    lost.push_back({{"id", p.id}, {"time", p.time},
+    lost.push_back({{"id", p.id},
+                    {"time", p.time},
                     {"position", {p.position[0], p.position[1], p.position[2]}}});
   return lost;
 }

@@ -7,13 +7,13 @@
 namespace pmr::verify {
 
 struct Check {
-  std::string id;        // "chemistry.d_eq.air.700C", unique, dotted: area first
-  std::string what;      // one sentence
-  double measured;       // [unit]
-  double expected;       // [unit]
-  double tolerance;      // [unit], absolute: |measured - expected| <= tolerance passes
-  std::string unit;      // "1" when dimensionless
-  std::string source;    // closed form, publication or independent code, and why this tolerance
+  std::string id;      // "chemistry.d_eq.air.700C", unique, dotted: area first
+  std::string what;    // one sentence
+  double measured;     // [unit]
+  double expected;     // [unit]
+  double tolerance;    // [unit], absolute: |measured - expected| <= tolerance passes
+  std::string unit;    // "1" when dimensionless
+  std::string source;  // closed form, publication or independent code, and why this tolerance
   bool passes() const { return std::abs(measured - expected) <= tolerance; }
 };
 

@@ -54,8 +54,9 @@ Check ten_balls() {
   scene.advance(500.0, links);
   double worst = 0.0;
   for (int i = 0; i < 10; ++i)
-    worst = std::max(worst, std::abs(scene.state.particles.temperature[static_cast<std::size_t>(i)] -
-                                     zero_celsius - 50.0 * (i + 1) / 11.0));
+    worst =
+        std::max(worst, std::abs(scene.state.particles.temperature[static_cast<std::size_t>(i)] -
+                                 zero_celsius - 50.0 * (i + 1) / 11.0));
   return {"coupling.ten-balls",
           "Ten balls between plates at 0 and 50 degC end on a straight line, worst deviation",
           worst,
@@ -66,7 +67,8 @@ Check ten_balls() {
           "balls); tolerance: ten times the solver's 1e-4 K"};
 }
 
-// dT/dt = -eps sigma A T^4/(m c) into cold surroundings: T = (T0^-3 + 3 eps sigma A t/(m c))^(-1/3).
+// dT/dt = -eps sigma A T^4/(m c) into cold surroundings: T = (T0^-3 + 3 eps sigma A t/(m
+// c))^(-1/3).
 Check radiating_ball() {
   const double radius = 1e-3, density = 3000.0, heat = 1000.0, start = 1200.0, t = 20.0;
   Material grey = constant_solid(density, heat, 5.0);
@@ -155,7 +157,11 @@ Check isothermal_box() {
     drift = std::max(drift, std::abs(T - 1273.15));
   return {"coupling.isothermal",
           "A closed isothermal bed stays isothermal over 1000 s, ten rays a particle, drift",
-          drift, 0.0, 1e-9, "K", "second law; symmetric exchange makes it exact but for rounding"};
+          drift,
+          0.0,
+          1e-9,
+          "K",
+          "second law; symmetric exchange makes it exact but for rounding"};
 }
 
 // J v against central differences of the right-hand side, in a random direction.
@@ -167,13 +173,12 @@ Check jacobian() {
   scene.add(Vec3(1.4e-3, 0, 0), 1000.0);
   scene.begin();
   coupling::close_chamber(scene.setup, scene.state);
-  const coupling::System system = coupling::assemble_system(
-      scene.setup, scene.nodes, scene.state,
-      {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
+  const coupling::System system =
+      coupling::assemble_system(scene.setup, scene.nodes, scene.state,
+                                {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
   const auto y = coupling::pack(system, scene.state);
   std::vector<double> v(y.size()), product(y.size()), up(y.size()), down(y.size());
-  for (std::size_t k = 0; k < y.size(); ++k)
-    v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
+  for (std::size_t k = 0; k < y.size(); ++k) v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
   coupling::Evaluation at;
   coupling::Linearisation linear(system);
   linear.fix(1.0, y, at);
@@ -189,12 +194,15 @@ Check jacobian() {
   double worst = 0.0;
   for (std::size_t k = 0; k < y.size(); ++k) {
     const double difference = 0.5 * (up[k] - down[k]);
-    worst = std::max(worst, std::abs(product[k] - difference) /
-                                std::max(std::abs(difference), 1e-12));
+    worst =
+        std::max(worst, std::abs(product[k] - difference) / std::max(std::abs(difference), 1e-12));
   }
   return {"coupling.jacobian",
           "The Jacobian's product agrees with central differences, worst relative deviation",
-          worst, 0.0, 1e-4, "1",
+          worst,
+          0.0,
+          1e-4,
+          "1",
           "definition; tolerance: rates are of third order in a step of 1e-5 with d ln p of 100"};
 }
 

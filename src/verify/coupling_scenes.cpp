@@ -28,7 +28,9 @@ Facet rectangle(const Vec3& corner, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Case inert_case(Material material, double radius) { return one_species(std::move(material), radius); }
+Case inert_case(Material material, double radius) {
+  return one_species(std::move(material), radius);
+}
 
 Case redox_case(double radius) {
   Case c = one_species(reference_ferrite(), radius);
@@ -59,9 +61,9 @@ void ThermalScene::add_plate(double temperature) {
 void ThermalScene::add_box(const Vec3& low, const Vec3& high, double temperature) {
   const Vec3 size = high - low;
   const Vec3 x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z());
-  for (const Facet& face : {rectangle(low, x, y), rectangle(low, y, z), rectangle(low, z, x),
-                            rectangle(high, -y, -x), rectangle(high, -z, -y),
-                            rectangle(high, -x, -z)}) {
+  for (const Facet& face :
+       {rectangle(low, x, y), rectangle(low, y, z), rectangle(low, z, x), rectangle(high, -y, -x),
+        rectangle(high, -z, -y), rectangle(high, -x, -z)}) {
     add_plate(temperature);
     setup.walls.surfaces.back().shape = face;
   }

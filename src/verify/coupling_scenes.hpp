@@ -21,7 +21,7 @@ struct ThermalScene {
   void add(const Vec3& position, double temperature);  // [m], [K]; before begin()
   void add_plate(double temperature);                  // [K] a wall far away, for links by hand
   void add_box(const Vec3& low, const Vec3& high, double temperature);  // facing inwards
-  void begin();                                        // numbers the nodes, fills the state
+  void begin();  // numbers the nodes, fills the state
   void advance(double dt, std::vector<coupling::HeatLink> links);  // [s]
 
   Case setup;

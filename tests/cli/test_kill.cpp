@@ -1,8 +1,8 @@
 // Killed at any moment, a run goes on from its last checkpoint and ends with the same bits.
-#include <catch2/catch.hpp>
 #include <signal.h>
 #include <spawn.h>
 
+#include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 #include <regex>
@@ -24,8 +24,8 @@ std::string hash_in(const std::filesystem::path& folder) {
 // Starts a run and sends it a signal after a while; waits for its end.
 int start_and_signal(const std::string& case_file, const std::string& out, int signal,
                      std::chrono::milliseconds after) {
-  std::vector<std::string> words{PMR_PROGRAM, "run", case_file, "-o", out, "--set",
-                                 "output.checkpoint_wall_time=\"50 ms\""};
+  std::vector<std::string> words{
+      PMR_PROGRAM, "run", case_file, "-o", out, "--set", "output.checkpoint_wall_time=\"50 ms\""};
   std::vector<char*> argv;
   for (auto& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -49,9 +49,9 @@ TEST_CASE("A run that was killed or interrupted ends with the bits of one that w
   const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
   const Scratch scratch("kill");
   const std::string whole = (scratch.path / "whole").string();
-  REQUIRE(pmr_says("run " + tiny + " -o " + whole +
-                   " --set 'output.checkpoint_wall_time = \"50 ms\"'")
-              .status == 0);
+  REQUIRE(
+      pmr_says("run " + tiny + " -o " + whole + " --set 'output.checkpoint_wall_time = \"50 ms\"'")
+          .status == 0);
   REQUIRE(hash_in(whole).size() == 16);
 
   for (const int signal : {SIGKILL, SIGINT}) {

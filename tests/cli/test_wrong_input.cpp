@@ -1,6 +1,5 @@
 // Each wrong input: one clear line, exit status 2, nothing left behind.
 #include <catch2/catch.hpp>
-
 #include <fstream>
 
 #include "program.hpp"

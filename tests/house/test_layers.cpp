@@ -1,7 +1,6 @@
 // The house as a test: one-way layers, no include cycles, foreign libraries in one file each.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -25,7 +24,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"chemistry", {"include/pmr/base", "include/pmr/state"}},
     {"src/io", {"include/pmr/base", "include/pmr/state"}},
     {"src/case", {"include/pmr/base", "include/pmr/state", "physics", "radiation", "chemistry"}},
-    {"src/coupling", {"include/pmr/base", "include/pmr/state", "physics", "radiation", "chemistry"}},
+    {"src/coupling",
+     {"include/pmr/base", "include/pmr/state", "physics", "radiation", "chemistry"}},
     {"src/instruments",
      {"include/pmr/base", "include/pmr/state", "physics", "radiation", "chemistry", "src/io"}},
     {"src/sim",
@@ -44,11 +44,17 @@ const std::map<std::string, std::set<std::string>> allowed = {
 
 // Foreign headers and the one file that may include each.
 const std::map<std::string, std::string> foreign = {
-    {"embree3/", "radiation/scene.cpp"},   {"hdf5.h", "src/io/hdf5.cpp"},
-    {"toml++/", "src/case/toml_file.cpp"},      {"udunits2", "src/case/units.cpp"},
-    {"assimp/", "src/case/stl.cpp"},       {"cvodes/", "src/coupling/cvode.cpp"},
-    {"nvector/", "src/coupling/cvode.cpp"}, {"sunlinsol/", "src/coupling/cvode.cpp"}, {"sunnonlinsol/", "src/coupling/cvode.cpp"},
-    {"sundials/", "src/coupling/cvode.cpp"}, {"tbb/", "src/base/parallel.cpp"},
+    {"embree3/", "radiation/scene.cpp"},
+    {"hdf5.h", "src/io/hdf5.cpp"},
+    {"toml++/", "src/case/toml_file.cpp"},
+    {"udunits2", "src/case/units.cpp"},
+    {"assimp/", "src/case/stl.cpp"},
+    {"cvodes/", "src/coupling/cvode.cpp"},
+    {"nvector/", "src/coupling/cvode.cpp"},
+    {"sunlinsol/", "src/coupling/cvode.cpp"},
+    {"sunnonlinsol/", "src/coupling/cvode.cpp"},
+    {"sundials/", "src/coupling/cvode.cpp"},
+    {"tbb/", "src/base/parallel.cpp"},
     {"png.h", "src/report/png.cpp"},
 };
 
@@ -68,8 +74,8 @@ std::vector<Include> includes_of(const fs::path& path) {
     if (line.rfind("#include", 0) != 0) continue;
     const auto open = line.find_first_of("<\"");
     const auto close = line.find_first_of(">\"", open + 1);
-    found.push_back({fs::relative(path, root).generic_string(),
-                     line.substr(open + 1, close - open - 1)});
+    found.push_back(
+        {fs::relative(path, root).generic_string(), line.substr(open + 1, close - open - 1)});
   }
   return found;
 }

@@ -1,7 +1,6 @@
 // Same bits on any number of threads, and over stop and resume, with moving walls and all physics.
-#include <catch2/catch.hpp>
-
 #include <atomic>
+#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "case/case.hpp"
@@ -22,7 +21,8 @@ Case tiny() { return casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/t
 // A run folder of its own, removed with the value.
 struct Folder {
   fs::path path;
-  explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("pmr-test-" + name)) {
+  explicit Folder(const std::string& name)
+      : path(fs::temp_directory_path() / ("pmr-test-" + name)) {
     fs::remove_all(path);
     fs::create_directories(path);
     io::create_run(path, {});
@@ -53,9 +53,8 @@ TEST_CASE("A run that is stopped in any phase and resumed has the bits of one th
     {
       std::atomic<bool> stop{false};
       sim::Simulation first(c, folder.path);
-      const auto ending = first.run(stop, [&](const sim::Simulation& now) {
-        stop = now.state().interval >= stop_after;
-      });
+      const auto ending = first.run(
+          stop, [&](const sim::Simulation& now) { stop = now.state().interval >= stop_after; });
       REQUIRE(ending == sim::Ending::stopped);
     }
     State state = io::load_checkpoint(folder.path);

@@ -13,10 +13,12 @@ namespace pmr {
 class Hash {
  public:
   template <class T>
-    requires std::is_trivially_copyable_v<T>
+  requires std::is_trivially_copyable_v<T>
   void add(const T& value) { bytes(&value, sizeof(T)); }
   template <class T>
-  void add(std::span<const T> values) { bytes(values.data(), values.size_bytes()); }
+  void add(std::span<const T> values) {
+    bytes(values.data(), values.size_bytes());
+  }
   void add(std::string_view text) { bytes(text.data(), text.size()); }
   void bytes(const void* data, std::size_t size) {
     const auto* p = static_cast<const unsigned char*>(data);

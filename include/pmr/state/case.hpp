@@ -37,41 +37,41 @@ using InitialDelta = std::variant<double, EquilibriumDelta>;
 struct Species {
   std::string name;
   std::uint32_t material;
-  double diameter;             // [m]
-  std::size_t count;           // [1] from the case's count, or round(mass / particle mass)
-  double requested_mass;       // [kg] as asked; count * particle mass where a count was given
-  double initial_temperature;  // [K]
-  InitialDelta initial_delta;  // [1], ignored for inert materials
+  double diameter;               // [m]
+  std::size_t count;             // [1] from the case's count, or round(mass / particle mass)
+  double requested_mass;         // [kg] as asked; count * particle mass where a count was given
+  double initial_temperature;    // [K]
+  InitialDelta initial_delta;    // [1], ignored for inert materials
   std::optional<Region> region;  // where they are filled in; none: explicit particles only
 };
 
 struct ExplicitParticle {
   SpeciesIndex species;
-  Vec3 position, velocity, spin;         // [m], [m/s], [rad/s]
-  std::optional<double> temperature;     // [K] instead of the species'
-  std::optional<double> radius;          // [m] instead of the species'
+  Vec3 position, velocity, spin;      // [m], [m/s], [rad/s]
+  std::optional<double> temperature;  // [K] instead of the species'
+  std::optional<double> radius;       // [m] instead of the species'
 };
 
 // --- Phases. Time zero is the release of the first valve; the fill has negative times.
 struct RestCriterion {
-  double rms_speed;      // [m/s] sqrt(2 (E_translation + E_rotation) / mass) below this ...
-  double hold;           // [s] ... for this long
+  double rms_speed;  // [m/s] sqrt(2 (E_translation + E_rotation) / mass) below this ...
+  double hold;       // [s] ... for this long
 };
 struct FillPhase {
   double duration;  // [s] at most
   RestCriterion rest;
 };
 struct MixPhase {
-  double duration;      // [s] at most
-  double not_before;    // [s] rest is not looked for earlier
+  double duration;    // [s] at most
+  double not_before;  // [s] rest is not looked for earlier
   RestCriterion rest;
-  double heat_interval; // [s] of lockstep between mechanics and heat
+  double heat_interval;  // [s] of lockstep between mechanics and heat
 };
 struct ReactPhase {
-  double end;              // [s] on the clock of the run
-  double first_interval;   // [s]
-  double growth;           // [1] interval = growth * time since the bed came to rest ...
-  double longest_interval; // [s] ... up to this
+  double end;               // [s] on the clock of the run
+  double first_interval;    // [s]
+  double growth;            // [1] interval = growth * time since the bed came to rest ...
+  double longest_interval;  // [s] ... up to this
 };
 
 // --- Gas. Before closing the chamber stands open to air; from then on it is a volume with a pump.
@@ -82,14 +82,14 @@ struct Pump {
   double set_point;  // [Pa] held by its control
 };
 struct ChamberCase {
-  double closing;            // [s] open air before
-  double volume;             // [m3] empty
-  double pressure;           // [Pa] at closing, and of the air before
-  double oxygen_fraction;    // [1] of the air
-  double gas_temperature;    // [K] of the air
-  double film_coefficient;   // [W/m2/K] gas to walls and to the bed's top (assumed)
+  double closing;           // [s] open air before
+  double volume;            // [m3] empty
+  double pressure;          // [Pa] at closing, and of the air before
+  double oxygen_fraction;   // [1] of the air
+  double gas_temperature;   // [K] of the air
+  double film_coefficient;  // [W/m2/K] gas to walls and to the bed's top (assumed)
   std::optional<Pump> pump;
-  double leak;               // [mol/s] of air per Pa of pressure difference
+  double leak;  // [mol/s] of air per Pa of pressure difference
 };
 
 // --- Models
@@ -99,17 +99,17 @@ struct MechanicsModel {
   double skin;                      // [1] of the smallest radius, of a bed at rest
 };
 struct ConductionModel {
-  bool contact;            // solid contacts
-  bool gap;                // gas in the gaps
-  double gap_reach;        // [1] of the smaller radius, widest gap that conducts
+  bool contact;               // solid contacts
+  bool gap;                   // gas in the gaps
+  double gap_reach;           // [1] of the smaller radius, widest gap that conducts
   double bed_solid_fraction;  // [1] phi in r_ij of the gap model
 };
 struct RadiationModel {
-  double rays_moving;          // [1] per smallest particle, while the bed moves
-  double rays_settled;         // [1] per smallest particle, settled bed
-  double retrace_interval;     // [s] while moving
-  double emissivity_change;    // [1] settled: retrace when any node changed by more
-  double surroundings;         // [K] temperature where rays leave the rig
+  double rays_moving;        // [1] per smallest particle, while the bed moves
+  double rays_settled;       // [1] per smallest particle, settled bed
+  double retrace_interval;   // [s] while moving
+  double emissivity_change;  // [1] settled: retrace when any node changed by more
+  double surroundings;       // [K] temperature where rays leave the rig
 };
 struct NetworkModel {
   double relative_tolerance;     // [1]
@@ -126,9 +126,9 @@ struct Models {
 
 // --- Instruments and output
 struct Decomposition {
-  Vec3 axis_point;                    // [m] on the floor, axis +z
-  double ramp_azimuth;                // [rad] direction of phi = 0
-  std::vector<double> layer_fraction; // [1] of the bed's mass, from the top; the rest is residuum
+  Vec3 axis_point;                     // [m] on the floor, axis +z
+  double ramp_azimuth;                 // [rad] direction of phi = 0
+  std::vector<double> layer_fraction;  // [1] of the bed's mass, from the top; the rest is residuum
   std::uint32_t sectors;
   std::vector<double> reference_mass_ratio;  // [1] per layer, may be empty
   std::string reference_source;
@@ -139,18 +139,18 @@ struct Thermocouple {
   double radius;  // [m] averages over particles whose centres are within
 };
 struct OutputCase {
-  double snapshot_interval;       // [s] while moving
+  double snapshot_interval;            // [s] while moving
   std::vector<double> snapshot_times;  // [s] in the react phase
-  double checkpoint_wall_time;    // [s] of wall time between checkpoints
-  Vec3 cut_point, cut_normal;     // [m], [1] pictures are cut open at this plane
+  double checkpoint_wall_time;         // [s] of wall time between checkpoints
+  Vec3 cut_point, cut_normal;          // [m], [1] pictures are cut open at this plane
 };
 
 struct Case {
   std::string title;
   std::string description;
   std::uint64_t seed;
-  Vec3 gravity;                   // [m/s2]
-  Vec3 domain_low, domain_high;   // [m] a particle outside is lost, and booked as lost
+  Vec3 gravity;                  // [m/s2]
+  Vec3 domain_low, domain_high;  // [m] a particle outside is lost, and booked as lost
   Materials materials;
   std::vector<Species> species;
   std::vector<ExplicitParticle> particles;

@@ -28,7 +28,7 @@ struct ConstantHeat {
 // h = A t + B t2/2 + C t3/3 + D t4/4 - E/t + F - H [kJ/mol], H chosen so that h(298.15 K) = 0.
 struct Shomate {
   double a, b, c, d, e, f, h;
-  double molar_mass;                        // [kg/mol]
+  double molar_mass;                                // [kg/mol]
   double minimum_temperature, maximum_temperature;  // [K] range of the fit
 };
 // Solid part of a ferrite: Cp(ABO2.5) = a + b t + c t2 + d/t2 [J/mol Fe/K]; the oxygen above 2.5
@@ -46,19 +46,19 @@ struct AluminaConductivity {
 };
 // Table over T [K] at 1 atm; in rarefied gas multiplied by 1 - gas_share (1 - 1/(1 + p_half/p)).
 struct TabulatedConductivity {
-  Table table;             // [K] -> [W/m/K]
-  double gas_share = 0.0;  // [1] part of k carried by gas in the pores
+  Table table;                 // [K] -> [W/m/K]
+  double gas_share = 0.0;      // [1] part of k carried by gas in the pores
   double half_pressure = 1.0;  // [Pa] where that part has halved
 };
 using Conductivity = std::variant<AluminaConductivity, TabulatedConductivity>;
 
 // --- Redox chemistry of A B O(3-delta), see chemistry/redox.hpp.
 struct RedoxEquilibrium {
-  double enthalpy_minimum, enthalpy_maximum;  // dHmin, dHmax [J/mol O]
-  double shift, steepness, offset;            // t, s, d0 [1]
-  double vibration_entropy, oxygen_entropy;   // s_v, S_th [J/mol O/K]
-  double configuration;                       // a [1]
-  double delta_limit = 0.5;                   // delta stays in (0, limit)
+  double enthalpy_minimum, enthalpy_maximum;                // dHmin, dHmax [J/mol O]
+  double shift, steepness, offset;                          // t, s, d0 [1]
+  double vibration_entropy, oxygen_entropy;                 // s_v, S_th [J/mol O/K]
+  double configuration;                                     // a [1]
+  double delta_limit = 0.5;                                 // delta stays in (0, limit)
   double fit_delta_minimum, fit_delta_maximum;              // [1] range of the fit
   double fit_temperature_minimum, fit_temperature_maximum;  // [K]
   double fit_pressure_minimum, fit_pressure_maximum;        // [Pa]
@@ -74,20 +74,20 @@ using RateLaw = std::variant<PowerRate>;
 struct Redox {
   RedoxEquilibrium equilibrium;
   RateLaw rate;
-  double molar_mass;         // [kg/mol Fe] at delta = 0
-  double atomic_oxygen;      // [kg/mol O]
-  double density_delta;      // [1] delta at which the material's density is stated
+  double molar_mass;     // [kg/mol Fe] at delta = 0
+  double atomic_oxygen;  // [kg/mol O]
+  double density_delta;  // [1] delta at which the material's density is stated
 };
 
 struct Material {
   std::string name;
-  double density;                    // [kg/m3] of a particle, at Redox::density_delta
-  double young_soft, poisson_soft;   // [Pa], [1] of the contact model
-  double young_real, poisson_real;   // [Pa], [1] of the real solid, for contact conduction
+  double density;                   // [kg/m3] of a particle, at Redox::density_delta
+  double young_soft, poisson_soft;  // [Pa], [1] of the contact model
+  double young_real, poisson_real;  // [Pa], [1] of the real solid, for contact conduction
   HeatLaw heat;
   Conductivity conductivity;
-  Table emissivity;                  // [K] -> [1]
-  double accommodation;              // [1] thermal accommodation of gas on its surface
+  Table emissivity;      // [K] -> [1]
+  double accommodation;  // [1] thermal accommodation of gas on its surface
   std::optional<Redox> redox;
   std::vector<Provenance> provenance;
 };

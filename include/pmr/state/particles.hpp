@@ -58,9 +58,8 @@ inline void resize(Particles& particles, std::size_t count) {
     else
       return T{};
   };
-  for_each_field(particles, [&](const char*, const char*, auto& field) {
-    field.resize(count, zero(field));
-  });
+  for_each_field(particles,
+                 [&](const char*, const char*, auto& field) { field.resize(count, zero(field)); });
 }
 
 }  // namespace pmr

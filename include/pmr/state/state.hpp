@@ -32,8 +32,8 @@ struct Exchange {
   Csr factor;                      // [m2] G_ij = eps_i A_i D_ij, G_ij = G_ji, no diagonal
   std::vector<double> emissivity;  // [1] of each node when traced
   double traced_at = -std::numeric_limits<double>::infinity();  // [s]
-  double rays = 0.0;               // [1] of that tracing
-  double relative_error = 0.0;     // [1] mean standard error of a row's largest factors
+  double rays = 0.0;                                            // [1] of that tracing
+  double relative_error = 0.0;  // [1] mean standard error of a row's largest factors
 };
 
 // Integrals of fluxes since the start, each integrated on its own; the ledger holds them against
@@ -95,8 +95,8 @@ struct LostParticle {
 
 // What was there at the start, for the books.
 struct Opening {
-  double energy = 0.0;     // [J] stored in particles and walls
-  double oxygen = 0.0;     // [mol] O2 bound in solids
+  double energy = 0.0;  // [J] stored in particles and walls
+  double oxygen = 0.0;  // [mol] O2 bound in solids
   std::uint64_t particles = 0;
 };
 
@@ -109,12 +109,12 @@ struct Extremes {
 struct State {
   double time = 0.0;  // [s] zero at the first valve's release
   Phase phase = Phase::fill;
-  std::uint64_t step = 0;       // mechanical sub-steps so far
-  std::uint64_t interval = 0;   // intervals so far
-  double rest_since = std::numeric_limits<double>::infinity();  // [s] bed below the rest speed
-  double settled_at = std::numeric_limits<double>::infinity();  // [s] start of the react phase
+  std::uint64_t step = 0;                                         // mechanical sub-steps so far
+  std::uint64_t interval = 0;                                     // intervals so far
+  double rest_since = std::numeric_limits<double>::infinity();    // [s] bed below the rest speed
+  double settled_at = std::numeric_limits<double>::infinity();    // [s] start of the react phase
   double set_point_at = std::numeric_limits<double>::infinity();  // [s] pressure first at set-point
-  double network_step = 0.0;    // [s] CVODE's last step, tried first in the next interval
+  double network_step = 0.0;  // [s] CVODE's last step, tried first in the next interval
   Particles particles;
   ContactHistory pair_contacts;
   ContactHistory wall_contacts;

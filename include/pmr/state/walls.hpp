@@ -68,8 +68,10 @@ struct Rotate {
 using Motion = std::variant<Rest, Fall, Translate, Oscillate, Rotate>;
 
 // --- Thermal boundaries.
-struct Adiabatic {};                             // re-radiates all it receives
-struct FixedTemperature { double temperature; };  // [K] a reservoir: heat to it is booked
+struct Adiabatic {};  // re-radiates all it receives
+struct FixedTemperature {
+  double temperature;
+};  // [K] a reservoir: heat to it is booked
 struct LiningLayer {
   std::uint32_t material;  // index into Materials
   double thickness;        // [m]
@@ -84,10 +86,10 @@ struct Lining {
 using ThermalBoundary = std::variant<Adiabatic, FixedTemperature, Lining>;
 
 struct Surface {
-  std::string name;           // "chamber.floor"
+  std::string name;  // "chamber.floor"
   Shape shape;
-  std::uint32_t body = 0;     // index into Walls::bodies
-  std::uint32_t material = 0; // index into Materials: contact parameters and emissivity
+  std::uint32_t body = 0;      // index into Walls::bodies
+  std::uint32_t material = 0;  // index into Materials: contact parameters and emissivity
   ThermalBoundary thermal = Adiabatic{};
   double from = -std::numeric_limits<double>::infinity();  // [s] present in [from, until)
   double until = std::numeric_limits<double>::infinity();  // [s]
