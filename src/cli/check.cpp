@@ -65,8 +65,7 @@ void print_forecast(const Case& c, std::size_t particles, double step) {
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& sets) {
   const Case c = casefile::load_case(case_file, sets);
   auto faults = physics::insertion_faults(c);
-  for (Fault& fault : faults)
-    if (fault.where.empty()) fault.where = case_file.string();
+  for (Fault& fault : faults) fault.where = case_file.string();
   if (!faults.empty()) throw CaseError(std::move(faults));
 
   fmt::print("{}\n", c.title);

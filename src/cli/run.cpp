@@ -75,8 +75,7 @@ int carry_out(sim::Simulation& simulation, const RunRecord& record) {
 int run(const RunOptions& options) {
   const Case c = casefile::load_case(options.case_file, options.sets);
   if (auto faults = physics::insertion_faults(c); !faults.empty()) {
-    for (Fault& fault : faults)
-      if (fault.where.empty()) fault.where = options.case_file.string();
+    for (Fault& fault : faults) fault.where = options.case_file.string();
     throw CaseError(std::move(faults));
   }
   const fs::path folder =
