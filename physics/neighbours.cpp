@@ -110,6 +110,7 @@ std::vector<std::uint32_t> spatial_order(const Particles& particles, double cell
     return p.curve != q.curve ? p.curve < q.curve : p.id < q.id;
   });
   std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
   for (const Key& key : keys) order.push_back(key.index);
   return order;
 }

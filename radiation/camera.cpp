@@ -57,8 +57,8 @@ std::vector<PixelHit> photograph(std::span<const Sphere> spheres,
   std::vector<PixelHit> picture(columns * rows);
   parallel_for(picture.size(), [&](std::size_t k) {
     const double x = (static_cast<double>(k % columns) + 0.5) * pixel - 0.5 * camera.width;
-    const double y =
-        (0.5 * static_cast<double>(rows) - static_cast<double>(k / columns) - 0.5) * pixel;
+    const std::size_t row = k / columns;
+    const double y = (0.5 * static_cast<double>(rows) - static_cast<double>(row) - 0.5) * pixel;
     const Vec3 origin = camera.eye + x * frame.right + y * frame.up;
     Hit hit = bed.nearest({origin, frame.forward});
     if (!hit.is_empty()) hit.primitive = kept[hit.primitive];

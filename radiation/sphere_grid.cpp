@@ -36,7 +36,8 @@ SphereGrid::Cell SphereGrid::cell_of(const Vec3& point) const {
 }
 
 std::size_t SphereGrid::number(const Cell& cell) const {
-  return static_cast<std::size_t>((cell.z() * cells_.y() + cell.y()) * cells_.x() + cell.x());
+  const auto wide = [](int k) { return static_cast<std::size_t>(k); };
+  return (wide(cell.z()) * wide(cells_.y()) + wide(cell.y())) * wide(cells_.x()) + wide(cell.x());
 }
 
 void SphereGrid::find(const std::vector<Sphere>& spheres, const Vec3& point, double radius,
