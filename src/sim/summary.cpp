@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "chemistry/redox.hpp"
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
 #include "instruments/course.hpp"
@@ -129,13 +130,17 @@ Json chemistry_of(const SummaryInput& in) {
         instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
     const double initial = coupling::initial_delta(c, c.species[s]);
     const double limit = material.redox->equilibrium.delta_limit;
+    double charge = 0.0;  // [kg] of the species before it lost any oxygen
+    for (std::size_t i = 0; i < in.state.particles.size(); ++i)
+      if (in.state.particles.species[i] == s)
+        charge += in.state.particles.iron[i] * chemistry::molar_mass(*material.redox, initial);
     return {{"delta_initial", initial},
             {"delta_final", number(figures.delta.mean)},
             {"delta_std", number(figures.delta.deviation)},
             {"oxygen_released", f.oxygen_released},
             {"oxygen_to_air", f.oxygen_to_air},
             {"oxygen_pumped", f.oxygen_pumped},
-            {"oxygen_per_kilogram", number(f.oxygen_released / figures.mass)},
+            {"oxygen_per_kilogram", number(f.oxygen_released / charge)},
             {"extent", number((figures.delta.mean - initial) / (limit - initial))},
             {"reaction_heat", f.reaction}};
   }
