@@ -44,6 +44,10 @@ void print_headline(const sim::Simulation& simulation, const sim::Balance& balan
         fmt::format("books    energy {:.1e}, oxygen {:.1e}, particles {} in, {} alive, {} lost",
                     balance.energy_relative, balance.oxygen_relative, balance.inserted,
                     balance.alive, balance.lost));
+  const auto& work = simulation.network_work();
+  if (work.steps > 0)
+    log_info(fmt::format("network  {} steps, {} Newton and {} Krylov iterations", work.steps,
+                         work.newton, work.krylov));
   log_info("state    " + hexadecimal(io::state_hash(state)));
 }
 
