@@ -1,8 +1,8 @@
 #include "physics/mechanics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 
 #include "physics/neighbours.hpp"
 #include "physics/time_step.hpp"
@@ -12,10 +12,9 @@
 namespace pmr::physics {
 namespace {
 
-// Particles of one task of the cheap passes over all particles.
-constexpr std::size_t kick_block = 2048;
-constexpr double steps_of_a_list = 20.0;  // [1] a list should last while particles are fast
+constexpr double steps_of_a_list = 20.0;  // [1] a wide list should last while particles are fast
 constexpr double thickest_skin = 5.0;     // [1] times the case's skin
+constexpr double rounding = 0.999;        // of bounds that are sums [1]
 
 template <class Body>
 void timed(double& stage, const Body& body) {
@@ -51,7 +50,7 @@ void require_finite(const Spheres& s, double t) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     const Kinetics& k = s.kinetics[i];
     if (s.sphere[i].position.allFinite() && k.velocity.allFinite() && k.spin.allFinite()) continue;
-    throw NumericsError("mechanics: particle " + std::to_string(k.id) +
+    throw NumericsError("mechanics: particle " + std::to_string(s.label[i].id) +
                         " at t = " + std::to_string(t) + " s: motion is not finite: position " +
                         text(s.sphere[i].position) + " m, velocity " + text(k.velocity) +
                         " m/s, spin " + text(k.spin) + " rad/s");
@@ -61,28 +60,29 @@ void require_finite(const Spheres& s, double t) {
 }  // namespace
 
 Mechanics::Mechanics(const Case& c)
-    : case_(c), dt_(physics::time_step(c).step), laws_(c), walls_(c) {}
+    : case_(c),
+      leapfrog_{physics::time_step(c).step, c.gravity},
+      domain_{c.domain_low, c.domain_high},
+      walls_(c),
+      pairs_(ContactLaws(c)) {}
 
+// Half kick, drift, forces, half kick. The half kicks that meet between two sub-steps and the drift
+// go in one pass with the forces, block by block.
 void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings) {
   const double begin = state.time;
   double now = begin;
   Stages stages;
   timed(stages.lists, [&] { open(state); });
-  if (state.step == 0 && sub_steps > 0) {  // forces of the opening state, springs at rest
-    timed(stages.walls, [&] { wall_forces(0.0); });
-    timed(stages.pairs, [&] { pair_forces(0.0); });
-    gather();
-  }
+  if (state.step == 0 && sub_steps > 0) opening_forces();
+  if (sub_steps > 0) timed(stages.kick, [&] { opening_drift(); });
   for (std::uint64_t k = 1; k <= sub_steps; ++k) {
     const double before = now;
-    now = begin + static_cast<double>(k) * dt_;
-    timed(stages.kick, [&] { kick_and_drift(); });
+    now = begin + static_cast<double>(k) * leapfrog_.dt;
     walls_.place(now);
     if (!all_inside_) take_out_lost(now);
-    if (lists_are_due(before, now)) timed(stages.lists, [&] { refresh_lists(); });
-    timed(stages.walls, [&] { wall_forces(dt_); });
-    timed(stages.pairs, [&] { pair_forces(dt_); });
-    timed(stages.kick, [&] { gather_and_kick(); });
+    gone_ += spread_ * leapfrog_.dt;
+    if (gone_ > rounding * skin_) timed(stages.lists, [&] { refresh_lists(); });
+    pass(walls_.displacement_bound(before, now), k == sub_steps, stages);
   }
   require_finite(spheres_, now);
   timed(stages.lists, [&] { close(state); });
@@ -98,59 +98,58 @@ void Mechanics::open(State& state) {
   Particles& p = state.particles;
   smallest_ = p.size() > 0 ? p.radius[0] : 1.0;
   for (const double r : p.radius) smallest_ = std::min(smallest_, r);
-  speed_ = parallel_max(p.size(), 0.0, [&](std::size_t i) { return p.velocity[i].norm(); });
   reorder(state, spatial_order(p, 2.0 * smallest_));
   spheres_ = gather_spheres(p);
+  blocks_ = cut(p.size());
+  VelocityRange all;
+  for (const Vec3& v : p.velocity) all.include(v);
+  spread_ = all.spread();
   lost_.clear();
   dissipated_ = 0.0;
+  elastic_ = state.elastic_energy;
   extremes_ = {};
   walls_.place(state.time);
-  rebuild_lists(state.pair_contacts, state.wall_contacts);
+  build_lists(state.pair_contacts, state.wall_contacts);
 }
 
 void Mechanics::close(State& state) {
   if (!lost_.empty()) {  // what is left stands in the order that it had
     std::vector<std::uint32_t> left;
     for (std::uint32_t i = 0; i < state.particles.size() && left.size() < spheres_.size(); ++i)
-      if (state.particles.id[i] == spheres_.kinetics[left.size()].id) left.push_back(i);
+      if (state.particles.id[i] == spheres_.label[left.size()].id) left.push_back(i);
     keep(state.particles, left);
     state.lost.insert(state.lost.end(), lost_.begin(), lost_.end());
   }
   put_back(spheres_, state.particles);
   state.pair_contacts = pairs_.history(spheres_);
-  state.wall_contacts = walls_.history();
+  state.wall_contacts = walls_.history(spheres_.size());
   state.fluxes.dissipated += dissipated_;
+  state.elastic_energy = elastic_;
   state.extremes.overlap_ratio = std::max(state.extremes.overlap_ratio, extremes_.overlap_ratio);
   state.extremes.speed = std::max(state.extremes.speed, extremes_.speed);
 }
 
-void Mechanics::kick_and_drift() {
-  const double half = 0.5 * dt_;
-  const Vec3 g = case_.gravity, low = case_.domain_low, high = case_.domain_high;
-  const std::size_t blocks = (spheres_.size() + kick_block - 1) / kick_block;
-  fastest_.assign(blocks, 0.0);
-  outside_.assign(blocks, 0);
-  const auto block = [&](std::size_t first, std::size_t last) {
-    double fastest = 0.0;
-    bool all_inside = true;
-    for (std::size_t i = first; i < last; ++i) {
-      const Load& f = spheres_.load[i];
-      Kinetics& k = spheres_.kinetics[i];
-      Vec3& x = spheres_.sphere[i].position;
-      k.velocity += half * (f.inverse_mass * f.force + g);
-      k.spin += (half * f.inverse_inertia) * f.torque;
-      x += dt_ * k.velocity;
-      fastest = std::max(fastest, k.velocity.squaredNorm());
-      for (int a = 0; a < 3; ++a) all_inside = all_inside && x[a] >= low[a] && x[a] <= high[a];
-    }
-    fastest_[first / kick_block] = fastest;
-    outside_[first / kick_block] = !all_inside;
-  };
-  parallel_blocks(spheres_.size(), std::cref(block), kick_block);
-  speed_ = 0.0;
-  for (const double squared : fastest_) speed_ = std::max(speed_, std::sqrt(squared));
-  all_inside_ = std::none_of(outside_.begin(), outside_.end(), [](auto o) { return o != 0; });
-  extremes_.speed = std::max(extremes_.speed, speed_);
+// Forces of the opening state, springs at rest.
+void Mechanics::opening_forces() {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const std::span<Load> loads(&spheres_.load[blocks_[b].first], blocks_[b].size());
+    std::fill(loads.begin(), loads.end(), Load{});
+    elastic_ += walls_.add_forces(b, spheres_, 0.0, loads).elastic;
+    elastic_ += pairs_.add_forces(b, spheres_, 0.0, loads).elastic;
+  }
+}
+
+void Mechanics::opening_drift() {
+  moved_.sphere.resize(spheres_.size());
+  moved_.kinetics.resize(spheres_.size());
+  parallel_for(
+      blocks_.size(),
+      [&](std::size_t b) {
+        const std::span<const Load> loads(&spheres_.load[blocks_[b].first], blocks_[b].size());
+        pass_[b].passage = kick_and_drift(spheres_, loads, blocks_[b], leapfrog_, false, moved_);
+      },
+      1);
+  take_over_motion();
 }
 
 // Particles outside the domain leave the books here; a place that is no number stops the run.
@@ -160,71 +159,121 @@ void Mechanics::take_out_lost(double t) {
   std::vector<ParticleId> lost;
   for (std::uint32_t i = 0; i < spheres_.size(); ++i) {
     const Vec3& x = spheres_.sphere[i].position;
-    const ParticleId id = spheres_.kinetics[i].id;
-    if ((x.array() >= case_.domain_low.array()).all() &&
-        (x.array() <= case_.domain_high.array()).all()) {
+    const ParticleId id = spheres_.label[i].id;
+    if ((x.array() >= domain_.low.array()).all() && (x.array() <= domain_.high.array()).all()) {
       left.push_back(i);
     } else {
       lost.push_back(id);
       lost_.push_back({id, t, x});
     }
   }
-  const ContactHistory walls = reordered(walls_.history(), left);
+  const ContactHistory walls = reordered(walls_.history(spheres_.size()), left);
   const ContactHistory pairs = without(reordered(pairs_.history(spheres_), left), lost);
   keep(spheres_.sphere, left);
   keep(spheres_.kinetics, left);
-  keep(spheres_.load, left);
-  rebuild_lists(pairs, walls);
+  keep(spheres_.label, left);
+  spheres_.load.resize(left.size());
+  moved_.sphere.resize(left.size());
+  moved_.kinetics.resize(left.size());
+  blocks_ = cut(spheres_.size());
+  build_lists(pairs, walls);
 }
 
-// The lists hold as long as nothing that was farther off than the skin can have come to touch.
-bool Mechanics::lists_are_due(double t0, double t1) {
-  gone_ += speed_ * dt_;
-  wall_gone_ += walls_.displacement_bound(t0, t1);
-  const double safe = 0.999 * skin_;  // rounding in the sums
-  return 2.0 * gone_ > safe || gone_ + wall_gone_ > safe;
-}
-
-void Mechanics::refresh_lists() { rebuild_lists(pairs_.history(spheres_), walls_.history()); }
-
-// A bed at rest wants a thin skin, few candidates; a fast stream a thick one, few rebuilds. The
-// forces do not depend on it.
-void Mechanics::rebuild_lists(const ContactHistory& pairs, const ContactHistory& walls) {
+// A bed at rest wants a thin skin, few candidates; a fast stream a thick one, few searches.
+double Mechanics::wide_skin() const {
   const double least = case_.models.mechanics.skin * smallest_;
-  skin_ = std::clamp(2.0 * steps_of_a_list * speed_ * dt_, least, thickest_skin * least);
-  pairs_.rebuild(spheres_, skin_, pairs);
-  walls_.rebuild(spheres_, skin_, walls);
+  return std::clamp(steps_of_a_list * spread_ * leapfrog_.dt, least, thickest_skin * least);
+}
+
+void Mechanics::build_lists(const ContactHistory& pairs, const ContactHistory& walls) {
+  velocity_.assign(blocks_.size(), {});
+  pass_.assign(blocks_.size(), {});
+  skin_ = wide_skin();
   gone_ = 0.0;
-  wall_gone_ = 0.0;
+  pairs_.open(spheres_, blocks_, skin_, pairs);
+  walls_.open(spheres_, blocks_, case_.models.mechanics.skin * smallest_, walls);
 }
 
-void Mechanics::wall_forces(double dt) { book(walls_.set_forces(spheres_, laws_, dt)); }
-
-void Mechanics::pair_forces(double dt) { book(pairs_.add_forces(spheres_, laws_, dt)); }
-
-void Mechanics::book(const ContactBook& sums) {
-  dissipated_ += sums.dissipated;
-  extremes_.overlap_ratio = std::max(extremes_.overlap_ratio, sums.overlap_ratio);
+void Mechanics::refresh_lists() {
+  skin_ = wide_skin();
+  gone_ = 0.0;
+  pairs_.refresh(spheres_, blocks_, skin_);
 }
 
-void Mechanics::gather() {
-  parallel_for(spheres_.size(),
-               [&](std::size_t i) { pairs_.gather_reactions(i, spheres_.load[i]); });
+void Mechanics::pass(double walls_moved, bool is_last, Stages& stages) {
+  const Stopwatch watch;
+  parallel_for(
+      blocks_.size(), [&](std::size_t b) { pass_block(b, walls_moved, is_last); }, 1);
+  take_over_sums();
+  take_over_motion();
+  Stages all;
+  for (const BlockPass& p : pass_) {
+    all.kick += p.stages.kick;
+    all.lists += p.stages.lists;
+    all.walls += p.stages.walls;
+    all.pairs += p.stages.pairs;
+  }
+  const double share =
+      watch.seconds() / std::max(all.kick + all.lists + all.walls + all.pairs, 1e-12);
+  stages.kick += share * all.kick;
+  stages.lists += share * all.lists;
+  stages.walls += share * all.walls;
+  stages.pairs += share * all.pairs;
 }
 
-void Mechanics::gather_and_kick() {
-  const double half = 0.5 * dt_;
-  const Vec3 g = case_.gravity;
-  const auto block = [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Load& f = spheres_.load[i];
-      pairs_.gather_reactions(i, f);
-      Kinetics& k = spheres_.kinetics[i];
-      k.velocity += half * (f.inverse_mass * f.force + g);
-      k.spin += (half * f.inverse_inertia) * f.torque;
-    }
-  };
-  parallel_blocks(spheres_.size(), std::cref(block), kick_block);
+// One task: a block's lists, the forces of its walls and of its pairs, its motion.
+void Mechanics::pass_block(std::size_t b, double walls_moved, bool is_last) {
+  const Block& block = blocks_[b];
+  const double dt = leapfrog_.dt;
+  BlockPass& p = pass_[b];
+  std::array<Load, largest_block> scratch;
+  const std::span<Load> loads = is_last ? std::span(&spheres_.load[block.first], block.size())
+                                        : std::span(scratch).first(block.size());
+  std::fill(loads.begin(), loads.end(), Load{});
+  Stopwatch watch;
+  walls_.follow(b, spheres_, p.passage.fastest * dt + walls_moved);
+  pairs_.follow(b, spheres_, velocity_, dt);
+  p.stages.lists = watch.lap();
+  const ContactBook at_walls = walls_.add_forces(b, spheres_, dt, loads);
+  p.stages.walls = watch.lap();
+  const ContactBook at_pairs = pairs_.add_forces(b, spheres_, dt, loads);
+  p.stages.pairs = watch.lap();
+  p.passage = is_last ? kick(spheres_, loads, block, leapfrog_, moved_)
+                      : kick_and_drift(spheres_, loads, block, leapfrog_, true, moved_);
+  p.stages.kick = watch.lap();
+  p.sums = {at_walls.elastic + at_pairs.elastic, at_walls.wall_work,
+            std::max(at_walls.overlap_ratio, at_pairs.overlap_ratio)};
+}
+
+// Dissipated is what contacts have taken from particles and moving walls and their Hertz springs do
+// not hold.
+void Mechanics::take_over_sums() {
+  const double elastic_before = elastic_;
+  elastic_ = 0.0;
+  for (const BlockPass& p : pass_) {
+    elastic_ += p.sums.elastic;
+    dissipated_ += p.sums.wall_work;
+    extremes_.overlap_ratio = std::max(extremes_.overlap_ratio, p.sums.overlap_ratio);
+  }
+  dissipated_ -= elastic_ - elastic_before;
+}
+
+void Mechanics::take_over_motion() {
+  std::swap(spheres_.sphere, moved_.sphere);
+  std::swap(spheres_.kinetics, moved_.kinetics);
+  VelocityRange all;
+  all_inside_ = true;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Passage& p = pass_[b].passage;
+    velocity_[b] = p.velocity;
+    all.include(p.velocity);
+    extremes_.speed = std::max(extremes_.speed, p.fastest);
+    dissipated_ -= p.contact_work;
+    all_inside_ = all_inside_ && p.is_finite &&
+                  (p.places.low.array() >= domain_.low.array()).all() &&
+                  (p.places.high.array() <= domain_.high.array()).all();
+  }
+  spread_ = all.spread();
 }
 
 double kinetic_energy(const Particles& p) {

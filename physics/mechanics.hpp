@@ -1,11 +1,11 @@
-// The discrete element method: Newton's equations of spheres under gravity and contacts, by the
-// leapfrog (velocity Verlet): half kick, drift, forces, half kick; second order in the step.
-// Forces use the half-step velocities. Gas drag is neglected (demonstrator study).
+// The discrete element method: Newton's equations of spheres under gravity and contacts. Forces use
+// the half-step velocities. Gas drag is neglected (demonstrator study).
 #pragma once
 #include <cstdint>
 #include <vector>
 
-#include "physics/contact_law.hpp"
+#include "physics/blocks.hpp"
+#include "physics/leapfrog.hpp"
 #include "physics/pair_contacts.hpp"
 #include "physics/spheres.hpp"
 #include "physics/wall_contacts.hpp"
@@ -21,50 +21,60 @@ class Mechanics {
  public:
   explicit Mechanics(const Case& c);  // keeps a reference: the case must live on
 
-  double time_step() const { return dt_; }  // [s]
+  double time_step() const { return leapfrog_.dt; }  // [s]
 
   // Moves the state on by whole sub-steps. Writes the particles' places, motions, forces (of
   // contacts, without weight), both contact histories, time, step, lost, extremes and
-  // fluxes.dissipated (see contact_law.hpp). Throws NumericsError, when a particle's motion is no
-  // longer finite; the state is then the one before the call (perhaps in another order).
+  // fluxes.dissipated and elastic_energy (kinetic + potential + elastic
+  // energy + dissipated change by the work of moving walls only). Throws NumericsError, when a
+  // particle's motion is no longer finite; the state is then the one before the call (perhaps in
+  // another order).
   void advance(State& state, std::uint64_t sub_steps, Timings& timings);
 
  private:
   struct Stages {
-    double kick = 0.0, lists = 0.0, walls = 0.0, pairs = 0.0;  // [s] of wall time
+    double kick = 0.0, lists = 0.0, walls = 0.0, pairs = 0.0;  // [s]
+  };
+  // Of one block in one sub-step.
+  struct BlockPass {
+    Passage passage;
+    ContactBook sums;
+    Stages stages;  // of its thread
   };
   void open(State& state);
   void close(State& state);
-  void kick_and_drift();
+  void opening_forces();
+  void opening_drift();
   void take_out_lost(double t);
-  bool lists_are_due(double t0, double t1);
-  void rebuild_lists(const ContactHistory& pairs, const ContactHistory& walls);
   void refresh_lists();
-  void wall_forces(double dt);
-  void pair_forces(double dt);
-  void gather();
-  void gather_and_kick();
-  void book(const ContactBook& sums);
+  void pass(double walls_moved, bool is_last, Stages& stages);
+  void pass_block(std::size_t b, double walls_moved, bool is_last);
+  void take_over_sums();
+  void take_over_motion();
+  void build_lists(const ContactHistory& pairs, const ContactHistory& walls);
+  double wide_skin() const;
 
   const Case& case_;
-  double dt_;  // [s]
-  ContactLaws laws_;
+  Leapfrog leapfrog_;
+  Box domain_;
   WallContacts walls_;
   PairContacts pairs_;
 
   // Of the current call.
   Spheres spheres_;
-  double smallest_ = 0.0;    // [m] radius
-  double skin_ = 0.0;        // [m] of the lists in use
-  double speed_ = 0.0;       // [m/s] fastest particle in this sub-step
-  double gone_ = 0.0;        // [m] bound on a particle's way since the lists were built
-  double wall_gone_ = 0.0;   // [m] likewise of the walls
-  bool all_inside_ = true;   // in this sub-step
+  Moved moved_;  // scratch of a pass
+  std::vector<Block> blocks_;
+  std::vector<BlockPass> pass_;          // [blocks]
+  std::vector<VelocityRange> velocity_;  // [blocks] in the last drift
+  double smallest_ = 0.0;                // [m] radius
+  double skin_ = 0.0;                    // [m] of the wide lists
+  double gone_ = 0.0;        // [m] bound on how much closer any two particles have come since
+  double spread_ = 0.0;      // [m/s] bound on their relative speed in the last drift
+  bool all_inside_ = true;   // after the last drift
+  double elastic_ = 0.0;     // [J] energy of the Hertz springs
   double dissipated_ = 0.0;  // [J]
   Extremes extremes_;
   std::vector<LostParticle> lost_;
-  std::vector<double> fastest_;        // [blocks] scratch, squared speeds
-  std::vector<std::uint8_t> outside_;  // [blocks] scratch
 };
 
 double kinetic_energy(const Particles& particles);  // [J] of translation and rotation

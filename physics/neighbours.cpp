@@ -1,7 +1,8 @@
 #include "physics/neighbours.hpp"
 
-#include <cmath>
+#include <algorithm>
 
+#include "physics/wide_list.hpp"
 #include "pmr/base/parallel.hpp"
 
 namespace pmr::physics {
@@ -34,61 +35,34 @@ std::uint64_t spread(std::uint64_t x) {
 
 }  // namespace
 
-CellGrid::CellGrid(std::span<const Sphere> spheres, double cell) {
-  const Bounds b = bounds(spheres.size(), [&](std::size_t i) { return spheres[i].position; });
-  low_ = b.low;
-  const double most = std::max(4096.0, 8.0 * static_cast<double>(spheres.size()));
-  std::array<double, 3> sides;
-  for (;; cell *= 1.25) {
-    for (int k = 0; k < 3; ++k)
-      sides[static_cast<std::size_t>(k)] = std::floor((b.high[k] - b.low[k]) / cell) + 1.0;
-    if (sides[0] * sides[1] * sides[2] <= most) break;
-  }
-  inverse_ = 1.0 / cell;
-  for (std::size_t k = 0; k < 3; ++k) cells_[k] = static_cast<std::size_t>(sides[k]);
-
-  std::vector<std::uint32_t> cell_of_sphere(spheres.size());
-  parallel_for(spheres.size(), [&](std::size_t i) {
-    cell_of_sphere[i] = static_cast<std::uint32_t>(cell_of(spheres[i].position));
-  });
-  start_.assign(cells_[0] * cells_[1] * cells_[2] + 1, 0);
-  for (const std::uint32_t c : cell_of_sphere) ++start_[c + 1];
-  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-  index_.resize(spheres.size());
-  sorted_.resize(spheres.size());
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-    const std::uint32_t k = next[cell_of_sphere[i]]++;
-    index_[k] = i;
-    sorted_[k] = spheres[i];
-  }
-}
-
 std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach) {
-  const std::vector<Sphere> spheres = gather_spheres(particles).sphere;
+  const Spheres spheres = gather_spheres(particles);
   double largest = 0.0;
-  for (const Sphere& s : spheres) largest = std::max(largest, s.radius);
-  if (spheres.empty()) return {};
-  const CellGrid grid(spheres, (1.0 + 0.5 * reach) * largest);
-  std::vector<std::vector<NeighbourPair>> blocks((spheres.size() + block_size - 1) / block_size);
-  parallel_blocks(spheres.size(), [&](std::size_t first, std::size_t last) {
-    std::vector<NeighbourPair>& pairs = blocks[first / block_size];
-    for (std::size_t i = first; i < last; ++i) {
-      const auto row = pairs.size();
-      const Sphere& a = spheres[i];
-      grid.for_each_near(
-          a.position, (1.0 + reach) * a.radius + largest, [&](std::uint32_t j, const Sphere& b) {
-            if (j <= i) return;
-            const double gap = (a.position - b.position).norm() - (a.radius + b.radius);
-            if (gap < reach * std::min(a.radius, b.radius))
-              pairs.push_back({static_cast<std::uint32_t>(i), j, gap});
-          });
-      std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(row), pairs.end(),
-                [](const NeighbourPair& p, const NeighbourPair& q) { return p.j < q.j; });
-    }
-  });
+  for (const Sphere& s : spheres.sphere) largest = std::max(largest, s.radius);
+  const std::vector<Block> blocks = cut(spheres.size());
+  const WideSearch search(spheres, blocks, reach * largest);
+  std::vector<std::vector<NeighbourPair>> found(blocks.size());
+  parallel_for(
+      blocks.size(),
+      [&](std::size_t b) {
+        WideList list;
+        search.find(b, list);
+        for (std::uint32_t i = blocks[b].first; i < blocks[b].last; ++i) {
+          const Sphere& a = spheres.sphere[i];
+          const std::size_t row = found[b].size();
+          for (const std::uint32_t j : list.row(i - blocks[b].first)) {
+            const Sphere& s = spheres.sphere[j];
+            const double gap = (a.position - s.position).norm() - (a.radius + s.radius);
+            if (j > i && gap < reach * std::min(a.radius, s.radius))
+              found[b].push_back({i, j, gap});
+          }
+          std::sort(found[b].begin() + static_cast<std::ptrdiff_t>(row), found[b].end(),
+                    [](const NeighbourPair& p, const NeighbourPair& q) { return p.j < q.j; });
+        }
+      },
+      1);
   std::vector<NeighbourPair> all;
-  for (const auto& pairs : blocks) all.insert(all.end(), pairs.begin(), pairs.end());
+  for (const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
   return all;
 }
 

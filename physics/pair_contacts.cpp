@@ -1,25 +1,17 @@
 #include "physics/pair_contacts.hpp"
 
 #include <algorithm>
-#include <functional>
 
-#include "physics/neighbours.hpp"
 #include "pmr/base/parallel.hpp"
 
 namespace pmr::physics {
 namespace {
 
-// Neighbours found for one block of particles, both ways, before the rows' places are known.
-struct Found {
-  std::vector<std::uint32_t> higher, lower;  // indices of partners with higher and lower ids
-};
-
-void sort_by_id(std::vector<std::uint32_t>& list, std::size_t from, const Spheres& spheres) {
-  std::sort(list.begin() + static_cast<std::ptrdiff_t>(from), list.end(),
-            [&](std::uint32_t a, std::uint32_t b) {
-              return spheres.kinetics[a].id < spheres.kinetics[b].id;
-            });
-}
+// A near list is to last about this many sub-steps [1]; its skin is at least this part of the wide
+// one's [1].
+constexpr double steps_of_near_list = 15.0;
+constexpr double thinnest_near_skin = 0.1;
+constexpr double rounding = 0.999;  // of bounds that are sums [1]
 
 void copy_entry(const ContactHistory& from, std::uint32_t k, ContactHistory& to) {
   to.partner.push_back(from.partner[k]);
@@ -31,169 +23,234 @@ void sum_up(std::vector<std::uint32_t>& start) {
   for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
 }
 
+Triple<double> triple(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vec3(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+
+Springs<double> springs_of(const PairGroup& g, std::size_t lane) {
+  return {{g.tangential[0][lane], g.tangential[1][lane], g.tangential[2][lane]},
+          {g.rolling[0][lane], g.rolling[1][lane], g.rolling[2][lane]}};
+}
+
+void put(PairGroup& g, std::size_t lane, const Springs<double>& s) {
+  const double d[3] = {s.tangential.x, s.tangential.y, s.tangential.z};
+  const double m[3] = {s.rolling.x, s.rolling.y, s.rolling.z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    g.tangential[k][lane] = d[k];
+    g.rolling[k][lane] = m[k];
+  }
+}
+
+// Seen from the other particle.
+Springs<double> reversed(const Springs<double>& s) {
+  return {-1.0 * s.tangential, -1.0 * s.rolling};
+}
+
+// visit(i, j, springs)
+template <class Visit>
+void for_each_touching(const std::vector<PairGroup>& groups, const Visit& visit) {
+  for (const PairGroup& g : groups)
+    for (std::uint32_t left = g.touching; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+      visit(g.i[lane] / PairGroup::index_step, g.j[lane] / PairGroup::index_step,
+            springs_of(g, lane));
+    }
+}
+
 }  // namespace
 
-void PairContacts::rebuild(const Spheres& spheres, double skin, const ContactHistory& history) {
-  find_rows(spheres, skin);
-  load_springs(spheres, history);
-}
+struct PairContacts::Remembered {
+  struct Entry {
+    std::uint32_t partner;
+    Springs<double> springs;  // of the pair in order
+  };
+  std::vector<std::uint32_t> start;  // [own + 1]
+  std::vector<Entry> entries;
 
-// Every particle looks around itself and so finds each pair from both ends; the owner's row and
-// the partner's reverse row are written side by side, in parallel, without a sort of the whole.
-void PairContacts::find_rows(const Spheres& s, double skin) {
-  const std::size_t n = s.size();
-  double largest = 0.0;
-  for (const Sphere& a : s.sphere) largest = std::max(largest, a.radius);
-  start_.assign(n + 1, 0);
-  reverse_start_.assign(n + 1, 0);
-  std::vector<Found> blocks((n + block_size - 1) / block_size);
-  if (n > 0) {
-    const CellGrid grid(s.sphere, largest + 0.5 * skin);
-    parallel_blocks(n, [&](std::size_t first, std::size_t last) {
-      Found& found = blocks[first / block_size];
-      for (std::size_t i = first; i < last; ++i) {
-        const Sphere& a = s.sphere[i];
-        const ParticleId id = s.kinetics[i].id;
-        const std::size_t higher = found.higher.size(), lower = found.lower.size();
-        const double cube = (a.radius + largest + skin) * (1.0 + 1e-9);  // safe against rounding
-        grid.for_each_near(a.position, cube, [&](std::uint32_t j, const Sphere& b) {
-          const double reach = (a.radius + b.radius) + skin;
-          if ((a.position - b.position).squaredNorm() >= reach * reach || j == i) return;
-          (s.kinetics[j].id > id ? found.higher : found.lower).push_back(j);
-        });
-        sort_by_id(found.higher, higher, s);
-        sort_by_id(found.lower, lower, s);
-        start_[i + 1] = static_cast<std::uint32_t>(found.higher.size() - higher);
-        reverse_start_[i + 1] = static_cast<std::uint32_t>(found.lower.size() - lower);
-      }
-    });
+  const Springs<double>* find(std::uint32_t row, std::uint32_t partner) const {
+    for (std::uint32_t k = start[row]; k < start[row + 1]; ++k)
+      if (entries[k].partner == partner) return &entries[k].springs;
+    return nullptr;
   }
-  sum_up(start_);
-  sum_up(reverse_start_);
-  partner_.resize(start_[n]);
-  std::vector<std::uint32_t> owner(reverse_start_[n]);
-  parallel_blocks(n, [&](std::size_t first, std::size_t) {
-    const Found& found = blocks[first / block_size];
-    std::copy(found.higher.begin(), found.higher.end(), partner_.begin() + start_[first]);
-    std::copy(found.lower.begin(), found.lower.end(), owner.begin() + reverse_start_[first]);
-  });
-  link_reverse(owner);
+};
+
+PairContacts::PairContacts(const ContactLaws& laws)
+    : laws_(laws.pairs()),
+      species_(static_cast<std::uint32_t>(laws.species())),
+      kernel_(best_pair_kernel()) {}
+
+void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+                        const ContactHistory& history) {
+  skin_ = skin;
+  lists_.assign(blocks.size(), {});  // nothing of an earlier call may live on
+  const WideSearch search(spheres, blocks, skin);
+  parallel_for(
+      blocks.size(),
+      [&](std::size_t b) {
+        Lists& lists = lists_[b];
+        lists.block = blocks[b];
+        search.find(b, lists.wide);
+        thin_out(lists, spheres, remembered(lists, spheres, history));
+      },
+      1);
 }
 
-void PairContacts::link_reverse(const std::vector<std::uint32_t>& owner) {
-  reverse_.resize(owner.size());
-  parallel_for(reverse_start_.size() - 1, [&](std::size_t i) {
-    for (std::uint32_t k = reverse_start_[i]; k < reverse_start_[i + 1]; ++k) {
-      std::uint32_t slot = start_[owner[k]];
-      while (partner_[slot] != i) ++slot;
-      reverse_[k] = slot;
-    }
-  });
+void PairContacts::refresh(const Spheres& spheres, const std::vector<Block>& blocks, double skin) {
+  skin_ = skin;
+  const WideSearch search(spheres, blocks, skin);
+  parallel_for(
+      blocks.size(),
+      [&](std::size_t b) {
+        Lists& lists = lists_[b];
+        const Remembered springs = remembered(lists);
+        search.find(b, lists.wide);
+        thin_out(lists, spheres, springs);
+      },
+      1);
 }
 
-void PairContacts::load_springs(const Spheres& s, const ContactHistory& history) {
-  touches_.assign(partner_.size(), 0);
-  springs_.resize(partner_.size());
-  reaction_.resize(partner_.size());
-  hit_.resize(partner_.size());
-  owner_.resize(partner_.size());
-  parallel_for(s.size(), [&](std::size_t i) {
-    for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot)
-      owner_[slot] = static_cast<std::uint32_t>(i);
-  });
-  if (history.partner.empty()) return;
-  parallel_for(s.size(), [&](std::size_t i) {
-    std::uint32_t k = history.start[i];
-    for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot) {
-      const ParticleId id = s.kinetics[partner_[slot]].id;
-      while (k < history.start[i + 1] && history.partner[k] < id) ++k;
-      if (k == history.start[i + 1]) return;
-      if (history.partner[k] != id) continue;
-      touches_[slot] = 1;
-      springs_[slot] = {history.tangential[k], history.rolling[k]};
+void PairContacts::follow(std::size_t b, const Spheres& spheres,
+                          std::span<const VelocityRange> ranges, double dt) {
+  Lists& lists = lists_[b];
+  VelocityRange range;
+  for (const std::uint32_t c : lists.wide.neighbours) range.include(ranges[c]);
+  lists.closer = range.spread() * dt;
+  lists.gone += lists.closer;
+  if (lists.gone <= rounding * lists.skin || lists.skin == skin_) return;
+  thin_out(lists, spheres, remembered(lists));
+}
+
+ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
+                                     std::span<Load> loads) {
+  static_assert(sizeof(Sphere) == 4 * sizeof(double) && sizeof(Kinetics) == 8 * sizeof(double) &&
+                sizeof(Load) == 8 * sizeof(double));
+  Lists& lists = lists_[b];
+  return kernel_({.sphere = spheres.sphere[0].position.data(),
+                  .kinetics = spheres.kinetics[0].velocity.data(),
+                  .load = loads[0].force.data(),
+                  .first = lists.block.first * PairGroup::index_step,
+                  .laws = laws_.data(),
+                  .groups = lists.near.data(),
+                  .group_count = lists.near.size(),
+                  .dt = dt});
+}
+
+// Groups hold pairs of one law; those that touch stand before the others, so that groups touch or
+// not as a whole.
+void PairContacts::thin_out(Lists& lists, const Spheres& s, const Remembered& springs) const {
+  lists.skin = std::clamp(steps_of_near_list * lists.closer, thinnest_near_skin * skin_, skin_);
+  lists.gone = 0.0;
+  PairsByLaw touching(laws_.size()), others(laws_.size());
+  for (std::uint32_t row = 0; row < lists.block.size(); ++row) {
+    const std::uint32_t i = lists.block.first + row;
+    const Sphere& a = s.sphere[i];
+    for (const std::uint32_t j : lists.wide.row(row)) {
+      const Sphere& b = s.sphere[j];
+      const double sum = a.radius + b.radius, reach = sum + lists.skin;
+      const double squared = (a.position - b.position).squaredNorm();
+      if (squared >= reach * reach) continue;
+      const auto [low, high] = std::minmax(s.label[i].species, s.label[j].species);
+      (squared < sum * sum ? touching : others)[low * species_ + high].push_back({i, j});
     }
+  }
+  lists.near.clear();
+  for (std::uint32_t law = 0; law < laws_.size(); ++law) {
+    append(lists, springs, law, touching[law]);
+    append(lists, springs, law, others[law]);
+  }
+}
+
+void PairContacts::append(Lists& lists, const Remembered& springs, std::uint32_t law,
+                          std::span<const ListedPair> pairs) {
+  for (std::size_t k = 0; k < pairs.size(); k += PairGroup::count) {
+    PairGroup& group = lists.near.emplace_back();
+    group.law = law;
+    for (std::size_t lane = 0; lane < PairGroup::count; ++lane) {
+      const bool is_used = k + lane < pairs.size();
+      const auto [own, partner] = pairs[is_used ? k + lane : k];
+      const std::uint32_t i = std::min(own, partner), j = std::max(own, partner);
+      group.i[lane] = PairGroup::index_step * i;
+      group.j[lane] = PairGroup::index_step * j;
+      if (!is_used) continue;
+      const auto bit = static_cast<std::uint8_t>(1U << lane);
+      group.used |= bit;
+      if (lists.block.holds(i)) group.own_i |= bit;
+      if (lists.block.holds(j)) group.own_j |= bit;
+      if (const Springs<double>* kept = springs.find(own - lists.block.first, partner)) {
+        put(group, lane, *kept);
+        group.touching |= bit;
+      }
+    }
+  }
+}
+
+PairContacts::Remembered PairContacts::remembered(const Lists& lists) const {
+  Remembered r;
+  const auto own_row = [&](std::uint32_t i, std::uint32_t j) {
+    return (lists.block.holds(i) ? i : j) - lists.block.first;
+  };
+  r.start.assign(lists.block.size() + 1, 0);
+  for_each_touching(lists.near, [&](std::uint32_t i, std::uint32_t j, const Springs<double>&) {
+    ++r.start[own_row(i, j) + 1];
   });
+  sum_up(r.start);
+  r.entries.resize(r.start.back());
+  std::vector<std::uint32_t> next(r.start.begin(), r.start.end() - 1);
+  for_each_touching(lists.near, [&](std::uint32_t i, std::uint32_t j, const Springs<double>& s) {
+    r.entries[next[own_row(i, j)]++] = {lists.block.holds(i) ? j : i, s};
+  });
+  return r;
+}
+
+// The state keeps a pair in the row of its lower id, seen from there.
+PairContacts::Remembered PairContacts::remembered(const Lists& lists, const Spheres& s,
+                                                  const ContactHistory& history) const {
+  Remembered r;
+  r.start.assign(lists.block.size() + 1, 0);
+  if (history.partner.empty()) return r;
+  for (std::uint32_t row = 0; row < lists.block.size(); ++row) {
+    const std::uint32_t i = lists.block.first + row;
+    for (const std::uint32_t j : lists.wide.row(row)) {
+      const bool i_keeps = s.label[i].id < s.label[j].id;
+      const std::uint32_t keeper = i_keeps ? i : j;
+      const ParticleId other = s.label[i_keeps ? j : i].id;
+      for (std::uint32_t e = history.start[keeper]; e < history.start[keeper + 1]; ++e) {
+        if (history.partner[e] != other) continue;
+        const Springs<double> springs{triple(history.tangential[e]), triple(history.rolling[e])};
+        r.entries.push_back({j, keeper < (i_keeps ? j : i) ? springs : reversed(springs)});
+      }
+    }
+    r.start[row + 1] = static_cast<std::uint32_t>(r.entries.size());
+  }
+  return r;
 }
 
 ContactHistory PairContacts::history(const Spheres& s) const {
+  struct Entry {
+    std::uint32_t keeper;
+    ParticleId partner;
+    Springs<double> springs;
+  };
+  std::vector<Entry> entries;
+  for (const Lists& lists : lists_)
+    for_each_touching(
+        lists.near, [&](std::uint32_t i, std::uint32_t j, const Springs<double>& springs) {
+          if (!lists.block.holds(i)) return;  // its own block counts it
+          const ParticleId a = s.label[i].id, b = s.label[j].id;
+          entries.push_back(a < b ? Entry{i, b, springs} : Entry{j, a, reversed(springs)});
+        });
+  std::sort(entries.begin(), entries.end(), [](const Entry& p, const Entry& q) {
+    return p.keeper != q.keeper ? p.keeper < q.keeper : p.partner < q.partner;
+  });
   ContactHistory h;
   h.start.assign(s.size() + 1, 0);
-  parallel_for(s.size(), [&](std::size_t i) {
-    for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot)
-      h.start[i + 1] += touches_[slot];
-  });
+  for (const Entry& e : entries) {
+    ++h.start[e.keeper + 1];
+    h.partner.push_back(e.partner);
+    h.tangential.push_back(vec3(e.springs.tangential));
+    h.rolling.push_back(vec3(e.springs.rolling));
+  }
   sum_up(h.start);
-  h.partner.resize(h.start.back());
-  h.tangential.resize(h.start.back());
-  h.rolling.resize(h.start.back());
-  parallel_for(s.size(), [&](std::size_t i) {
-    std::uint32_t k = h.start[i];
-    for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot) {
-      if (!touches_[slot]) continue;
-      h.partner[k] = s.kinetics[partner_[slot]].id;
-      h.tangential[k] = springs_[slot].tangential;
-      h.rolling[k++] = springs_[slot].rolling;
-    }
-  });
   return h;
-}
-
-ContactBook PairContacts::add_forces(Spheres& spheres, const ContactLaws& laws, double dt) {
-  book_.assign((spheres.size() + force_block - 1) / force_block, {});
-  const auto block = [&](std::size_t first, std::size_t last) {
-    const std::size_t count = find_hits(spheres, start_[first], start_[last]);
-    book_[first / force_block] = add_forces_of(spheres, laws, dt, start_[first], count);
-  };
-  parallel_blocks(spheres.size(), std::cref(block), force_block);
-  ContactBook sum;
-  for (const ContactBook& b : book_) {
-    sum.dissipated += b.dissipated;
-    sum.overlap_ratio = std::max(sum.overlap_ratio, b.overlap_ratio);
-  }
-  return sum;
-}
-
-// Writes down, without a branch on the outcome, which of the slots touch; a contact that was not
-// there before starts with loose springs.
-std::size_t PairContacts::find_hits(const Spheres& s, std::uint32_t first, std::uint32_t last) {
-  std::uint32_t* const hits = hit_.data() + first;
-  std::size_t count = 0;
-  for (std::uint32_t slot = first; slot < last; ++slot) {
-    const Sphere &a = s.sphere[owner_[slot]], &b = s.sphere[partner_[slot]];
-    const double sum = a.radius + b.radius;
-    const bool touches = (a.position - b.position).squaredNorm() < sum * sum;
-    hits[count] = slot;
-    count += touches ? 1 : 0;
-    if (touches && !touches_[slot]) springs_[slot] = {Vec3::Zero(), Vec3::Zero()};
-    touches_[slot] = touches;
-  }
-  return count;
-}
-
-ContactBook PairContacts::add_forces_of(Spheres& s, const ContactLaws& laws, double dt,
-                                        std::size_t first_hit, std::size_t count) {
-  ContactBook book;
-  for (std::size_t k = first_hit; k < first_hit + count; ++k) {
-    const std::uint32_t slot = hit_[k], i = owner_[slot], j = partner_[slot];
-    const Sphere &a = s.sphere[i], &b = s.sphere[j];
-    const Kinetics &u = s.kinetics[i], &v = s.kinetics[j];
-    const Vec3 d = a.position - b.position;
-    const double distance = d.norm();
-    const double sum = a.radius + b.radius;
-    const double overlap = std::max(0.0, sum - distance);  // rounding may deny the hit
-    const double arm_i = a.radius - 0.5 * overlap, arm_j = b.radius - 0.5 * overlap;
-    const Touch touch{
-        (1.0 / distance) * d, overlap, u.velocity - v.velocity,   arm_i * u.spin + arm_j * v.spin,
-        u.spin - v.spin,      1.0,     a.radius * b.radius / sum, u.inverse_mass + v.inverse_mass};
-    const ContactForce f = evaluate(laws.between(u.species, v.species), touch, dt, springs_[slot]);
-    s.load[i].force += f.force;
-    s.load[i].torque -= arm_i * f.twist + f.rolling;
-    reaction_[slot] = {f.force, f.rolling - arm_j * f.twist};
-    book.dissipated += f.dissipated;
-    const double smaller = std::min(a.radius, b.radius);
-    if (overlap > book.overlap_ratio * smaller) book.overlap_ratio = overlap / smaller;
-  }
-  return book;
 }
 
 ContactHistory reordered(const ContactHistory& h, const std::vector<std::uint32_t>& order) {

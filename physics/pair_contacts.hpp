@@ -1,59 +1,79 @@
-// Contacts between particles: the list of candidates and the forces of those that touch.
+// Contacts between particles: the lists of candidates and the forces of those that touch.
+//
+// A block knows every pair that one of its particles takes part in; a pair that crosses two blocks
+// stands in both and is evaluated in both, with its particles in the same order and so to the same
+// bits, each block adding up the loads of its own particles. Blocks therefore need nothing of each
+// other within a sub-step, and no sum depends on threads.
+//
+// There are two lists, as in molecular dynamics codes: the wide one, searched anew when any two
+// particles may have come closer by its skin; and per block the near one of those pairs that may
+// touch within a few sub-steps, thinned out from the wide one when the block and its neighbours
+// have moved. Only near pairs carry springs and are evaluated.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "physics/blocks.hpp"
 #include "physics/contact_law.hpp"
+#include "physics/pair_kernel.hpp"
 #include "physics/spheres.hpp"
+#include "physics/wide_list.hpp"
 #include "pmr/state/contacts.hpp"
 
 namespace pmr::physics {
 
-// A pair stands once, in the row of its lower id; rows are sorted by the partner's id. Each
-// particle also knows in which slots it is the partner (`reverse`, sorted by the owner's id), so
-// that its force is a gather in an order that depends neither on the list nor on threads.
 class PairContacts {
  public:
+  explicit PairContacts(const ContactLaws& laws);
+
   // Lists all pairs whose surfaces are closer than `skin` [m], with the springs of `history`.
-  void rebuild(const Spheres& spheres, double skin, const ContactHistory& history);
+  void open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+            const ContactHistory& history);
+
+  // The same anew for particles that have moved since, with the springs that they have now.
+  void refresh(const Spheres& spheres, const std::vector<Block>& blocks, double skin);
 
   // Springs of the touching pairs, rows in the particles' order.
   ContactHistory history(const Spheres& spheres) const;
 
-  // Adds the forces of all touching pairs to the loads of their owners and keeps the reactions.
-  // Moves the springs by dt [s].
-  ContactBook add_forces(Spheres& spheres, const ContactLaws& laws, double dt);
+  // To be called after every drift by dt [s], velocities of which were in `ranges` [blocks]: keeps
+  // block b's near list such that it holds all of its touching pairs.
+  void follow(std::size_t b, const Spheres& spheres, std::span<const VelocityRange> ranges,
+              double dt);
 
-  // Adds to particle i the reactions of the contacts whose partner it is.
-  void gather_reactions(std::size_t i, Load& load) const {
-    for (std::uint32_t k = reverse_start_[i]; k < reverse_start_[i + 1]; ++k) {
-      const std::uint32_t slot = reverse_[k];
-      if (!touches_[slot]) continue;
-      load.force -= reaction_[slot].force;
-      load.torque += reaction_[slot].torque;
-    }
-  }
+  // Adds the forces of block b's touching pairs to the loads of its particles; moves the springs
+  // by dt [s].
+  ContactBook add_forces(std::size_t b, const Spheres& spheres, double dt, std::span<Load> loads);
 
  private:
-  struct Reaction {
-    Vec3 force;   // [N] on the owner
-    Vec3 torque;  // [N m] on the partner
+  struct Lists {
+    Block block;
+    WideList wide;
+    std::vector<PairGroup> near;  // all groups but the last are full
+    double skin = 0.0;            // [m] of the near list
+    double gone = 0.0;            // [m] bound on how much closer its pairs have come since
+    double closer = 0.0;          // [m] likewise in the last drift
   };
-  void find_rows(const Spheres& spheres, double skin);
-  void link_reverse(const std::vector<std::uint32_t>& owner);
-  void load_springs(const Spheres& spheres, const ContactHistory& history);
-  std::size_t find_hits(const Spheres& spheres, std::uint32_t first, std::uint32_t last);
-  ContactBook add_forces_of(Spheres& spheres, const ContactLaws& laws, double dt, std::size_t first,
-                            std::size_t count);
+  struct Remembered;  // springs of touching pairs, in rows of the block's particles
+  struct ListedPair {
+    std::uint32_t own, partner;
+  };
+  // By law; pairs that touch stand before the others.
+  using PairsByLaw = std::vector<std::vector<ListedPair>>;
 
-  std::vector<std::uint32_t> start_, partner_;          // rows of candidates
-  std::vector<std::uint32_t> reverse_start_, reverse_;  // slots where i is the partner
-  std::vector<std::uint8_t> touches_;                   // [slots] since the last force pass
-  std::vector<Springs> springs_;                        // [slots] meaningful while touching
-  std::vector<Reaction> reaction_;                      // [slots] likewise
-  std::vector<std::uint32_t> owner_;                    // [slots] whose row it is in
-  std::vector<std::uint32_t> hit_;                      // [slots] scratch: touching ones of a block
-  std::vector<ContactBook> book_;                       // [blocks] scratch
+  Remembered remembered(const Lists& lists) const;
+  Remembered remembered(const Lists& lists, const Spheres& spheres,
+                        const ContactHistory& history) const;
+  void thin_out(Lists& lists, const Spheres& spheres, const Remembered& springs) const;
+  static void append(Lists& lists, const Remembered& springs, std::uint32_t law,
+                     std::span<const ListedPair> pairs);
+
+  std::vector<ContactLaw> laws_;  // [species * species]
+  std::uint32_t species_;
+  PairKernel kernel_;
+  double skin_ = 0.0;  // [m] of the wide lists
+  std::vector<Lists> lists_;
 };
 
 // History for particles in a new order: row i becomes what was row order[i].

@@ -46,12 +46,14 @@ Vec3 closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& n, con
   return best_squared < 0.0 ? Vec3(x - (x - triangle[0]).dot(n) * n) : best;
 }
 
-Vec3 closest(const Facet& facet, const Vec3& x) {
-  Vec3 best = facet.triangles.front()[0];
+// Nearest point of `count` triangles of a facet, the k-th of which is number(k).
+template <class Number>
+Vec3 closest_of(const Facet& facet, std::size_t count, const Number& number, const Vec3& x) {
+  Vec3 best = facet.triangles[number(0)][0];
   double best_squared = (x - best).squaredNorm();
   const double height = (x - best).dot(facet.normal);
-  for (const auto& triangle : facet.triangles) {
-    const Vec3 q = closest_on_triangle(triangle, facet.normal, x);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec3 q = closest_on_triangle(facet.triangles[number(k)], facet.normal, x);
     const double squared = (x - q).squaredNorm();
     if (squared >= best_squared) continue;
     best = q;
@@ -59,6 +61,11 @@ Vec3 closest(const Facet& facet, const Vec3& x) {
     if (best_squared <= height * height) break;  // the foot itself: nothing is nearer
   }
   return best;
+}
+
+Vec3 closest(const Facet& facet, const Vec3& x) {
+  return closest_of(
+      facet, facet.triangles.size(), [](std::size_t k) { return k; }, x);
 }
 
 Box box_of(const Plane&) {
@@ -88,6 +95,11 @@ Box box_of(const Facet& facet) {
 
 Vec3 closest_point(const Shape& shape, const Vec3& x) {
   return std::visit([&](const auto& s) { return closest(s, x); }, shape);
+}
+
+Vec3 closest_point(const Facet& facet, std::span<const std::uint32_t> triangles, const Vec3& x) {
+  return closest_of(
+      facet, triangles.size(), [&](std::size_t k) { return triangles[k]; }, x);
 }
 
 bool is_surely_beyond(const Shape& shape, const Vec3& x, double reach) {

@@ -17,37 +17,35 @@ struct Sphere {
 
 // Read by contacts (64 bytes).
 struct Kinetics {
-  Vec3 velocity;        // [m/s]
-  double inverse_mass;  // [1/kg]
-  Vec3 spin;            // [rad/s]
-  std::uint32_t species;
-  ParticleId id;
+  Vec3 velocity;           // [m/s]
+  double inverse_mass;     // [1/kg]
+  Vec3 spin;               // [rad/s]
+  double inverse_inertia;  // [1/kg/m2] of 2/5 m R^2
 };
 
-// Written by contacts, read by kicks (64 bytes).
+// What contacts do to a particle in one sub-step (64 bytes).
 struct Load {
-  Vec3 force;              // [N] of contacts; weight is added by the kick
-  double inverse_mass;     // [1/kg]
-  Vec3 torque;             // [N m]
-  double inverse_inertia;  // [1/kg/m2] of 2/5 m R^2
+  Vec3 force = Vec3::Zero();  // [N] of contacts; weight is added by the kick
+  double unused_force = 0.0;
+  Vec3 torque = Vec3::Zero();  // [N m]
+  double unused_torque = 0.0;
+};
+
+// Read when lists are built.
+struct Label {
+  std::uint32_t species;
+  ParticleId id;
 };
 
 struct Spheres {
   std::vector<Sphere> sphere;
   std::vector<Kinetics> kinetics;
-  std::vector<Load> load;
+  std::vector<Label> label;
+  std::vector<Load> load;  // at the borders of Mechanics::advance only
   std::size_t size() const { return sphere.size(); }
 };
 
 Spheres gather_spheres(const Particles& particles);
 void put_back(const Spheres& spheres, Particles& particles);
-
-// Sums of one block of a force pass, added up block by block.
-struct ContactBook {
-  double dissipated = 0.0;     // [J]
-  double overlap_ratio = 0.0;  // [1] largest overlap over the smaller radius
-};
-
-inline constexpr std::size_t force_block = 512;  // [particles] of one block of a force pass
 
 }  // namespace pmr::physics

@@ -1,7 +1,6 @@
 #include "physics/wall_contacts.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "pmr/base/parallel.hpp"
 
@@ -12,14 +11,19 @@ namespace {
 constexpr double on_surface = 1e-6;
 // Springs pass between contacts whose normals differ by less than 60 degrees: cosine [1].
 constexpr double similar_normal = 0.5;
-// Particles that are tested against a surface together; neighbours in space [particles].
-constexpr std::size_t group_size = 32;
-// Bits of touches_: in the last force pass, in this one.
-constexpr std::uint8_t touched = 1, touching = 2;
+// Particles that are tested against the walls together; neighbours in space [particles].
+constexpr std::uint32_t group_size = 16;
+// A list is to last this many sub-steps [1], with a skin of at most this many thinnest ones [1].
+constexpr double steps_of_list = 20.0, thickest = 10.0;
+constexpr double rounding = 0.999;  // of bounds that are sums [1]
+
+Triple<double> triple(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vec3(const Triple<double>& t) { return {t.x, t.y, t.z}; }
 
 }  // namespace
 
-WallContacts::WallContacts(const Case& c) : case_(c), domain_{c.domain_low, c.domain_high} {
+WallContacts::WallContacts(const Case& c)
+    : case_(c), laws_(c), domain_{c.domain_low, c.domain_high}, tree_(c.walls) {
   pose_.resize(c.walls.bodies.size());
   present_.resize(c.walls.surfaces.size());
 }
@@ -37,110 +41,141 @@ double WallContacts::displacement_bound(double t0, double t1) const {
   return largest;
 }
 
-Vec3 WallContacts::nearest(std::uint32_t surface, const Vec3& x) const {
-  const Surface& s = case_.walls.surfaces[surface];
-  const Pose& p = pose_[s.body];
-  return p.to_world(closest_point(s.shape, p.to_body(x)));
+void WallContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+                        const ContactHistory& history) {
+  thinnest_ = skin;
+  lists_.assign(blocks.size(), {});
+  parallel_for(
+      blocks.size(),
+      [&](std::size_t b) {
+        List& list = lists_[b];
+        list.block = blocks[b];
+        relist(list, spheres, skin);
+        if (history.partner.empty()) return;
+        for (const Row& row : list.rows)
+          for (std::uint32_t k = history.start[row.particle]; k < history.start[row.particle + 1];
+               ++k)
+            for (std::uint32_t s = row.first; s < row.last; ++s)
+              if (list.slots[s].surface == history.partner[k]) {
+                list.slots[s].touches = true;
+                list.slots[s].springs = {triple(history.tangential[k]), triple(history.rolling[k])};
+              }
+      },
+      1);
 }
 
-// The distance to a surface changes by no more than the way gone, so one look from the middle of a
-// group spares most of its members' looks.
-void WallContacts::find_rows_near(std::span<const Sphere> group, double skin,
-                                  std::vector<std::uint32_t>& found) {
-  Vec3 low = group[0].position, high = low;
-  double largest = 0.0;
-  for (const Sphere& s : group) {
-    low = low.cwiseMin(s.position);
-    high = high.cwiseMax(s.position);
-    largest = std::max(largest, s.radius);
-  }
-  const Vec3 middle = 0.5 * (low + high);
-  const double reach = 0.5 * (high - low).norm() + largest + skin;
-  found.clear();
-  for (std::uint32_t s = 0; s < case_.walls.surfaces.size(); ++s)
-    if (case_.walls.surfaces[s].holds_particles && (nearest(s, middle) - middle).norm() <= reach)
-      found.push_back(s);
-}
-
-void WallContacts::rebuild(const Spheres& spheres, double skin, const ContactHistory& history) {
-  const std::size_t n = spheres.size();
-  start_.assign(n + 1, 0);
-  std::vector<std::vector<std::uint32_t>> blocks((n + block_size - 1) / block_size);
-  parallel_blocks(n, [&](std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t>& rows = blocks[first / block_size];
-    std::vector<std::uint32_t> near;
-    for (std::size_t i = first; i < last; ++i) {
-      if ((i - first) % group_size == 0)
-        find_rows_near({&spheres.sphere[i], std::min(group_size, last - i)}, skin, near);
-      const Sphere& a = spheres.sphere[i];
-      const std::size_t before = rows.size();
-      for (const std::uint32_t s : near)
-        if ((nearest(s, a.position) - a.position).norm() <= a.radius + skin) rows.push_back(s);
-      start_[i + 1] = static_cast<std::uint32_t>(rows.size() - before);
-    }
-  });
-  for (std::size_t i = 0; i < n; ++i) start_[i + 1] += start_[i];
-  surface_.clear();
-  for (const auto& rows : blocks) surface_.insert(surface_.end(), rows.begin(), rows.end());
-  touches_.assign(surface_.size(), 0);
-  springs_.assign(surface_.size(), {Vec3::Zero(), Vec3::Zero()});
-  if (history.partner.empty()) return;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::uint32_t k = history.start[i]; k < history.start[i + 1]; ++k)
-      for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot)
-        if (surface_[slot] == history.partner[k]) {
-          touches_[slot] = 1;
-          springs_[slot] = {history.tangential[k], history.rolling[k]};
+void WallContacts::follow(std::size_t b, const Spheres& spheres, double closer) {
+  List& list = lists_[b];
+  list.gone += closer;
+  if (list.gone <= rounding * list.skin) return;
+  const List old = std::move(list);
+  list = {};
+  list.block = old.block;
+  relist(list, spheres, std::clamp(steps_of_list * closer, thinnest_, thickest * thinnest_));
+  auto row = list.rows.begin();
+  for (const Row& before : old.rows) {
+    while (row != list.rows.end() && row->particle < before.particle) ++row;
+    if (row == list.rows.end()) break;
+    if (row->particle != before.particle) continue;
+    for (std::uint32_t o = before.first; o < before.last; ++o)
+      for (std::uint32_t s = row->first; s < row->last; ++s)
+        if (old.slots[o].touches && list.slots[s].surface == old.slots[o].surface) {
+          list.slots[s].touches = true;
+          list.slots[s].springs = old.slots[o].springs;
         }
+  }
 }
 
-ContactHistory WallContacts::history() const {
-  ContactHistory h;
-  for (std::size_t i = 0; i + 1 < start_.size(); ++i) {
-    for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot)
-      if (touches_[slot]) {
-        h.partner.push_back(surface_[slot]);
-        h.tangential.push_back(springs_[slot].tangential);
-        h.rolling.push_back(springs_[slot].rolling);
-      }
-    h.start.push_back(static_cast<std::uint32_t>(h.partner.size()));
+// Neighbours in space ask the tree together.
+void WallContacts::relist(List& list, const Spheres& spheres, double skin) {
+  list.skin = skin;
+  for (std::uint32_t first = list.block.first; first < list.block.last; first += group_size) {
+    const std::uint32_t last = std::min(list.block.last, first + group_size);
+    Vec3 low = spheres.sphere[first].position, high = low;
+    double largest = 0.0;
+    for (std::uint32_t i = first; i < last; ++i) {
+      low = low.cwiseMin(spheres.sphere[i].position);
+      high = high.cwiseMax(spheres.sphere[i].position);
+      largest = std::max(largest, spheres.sphere[i].radius);
+    }
+    const Vec3 half = 0.5 * (high - low);
+    const auto near = tree_.near(low + half, half.norm() + largest + skin, pose_);
+    for (std::uint32_t i = first; i < last && !near.empty(); ++i) list_row(list, spheres, i, near);
   }
+}
+
+void WallContacts::list_row(List& list, const Spheres& spheres, std::uint32_t i,
+                            std::span<const WallPart> near) {
+  const Sphere& a = spheres.sphere[i];
+  const auto before = static_cast<std::uint32_t>(list.slots.size());
+  for (std::size_t k = 0; k < near.size();) {
+    const std::uint32_t surface = near[k].surface;
+    const auto first = static_cast<std::uint32_t>(list.triangles.size());
+    for (; k < near.size() && near[k].surface == surface; ++k)
+      if (near[k].triangle != WallPart::whole) list.triangles.push_back(near[k].triangle);
+    Slot slot;
+    slot.surface = surface;
+    slot.first = first;
+    slot.last = static_cast<std::uint32_t>(list.triangles.size());
+    const double gap = (nearest(list, slot, a.position) - a.position).norm() - a.radius;
+    if (gap > list.skin) {
+      list.triangles.resize(first);
+      continue;
+    }
+    slot.wake = rounding * gap;
+    list.slots.push_back(slot);
+  }
+  const auto after = static_cast<std::uint32_t>(list.slots.size());
+  if (after > before) list.rows.push_back({i, before, after});
+}
+
+Vec3 WallContacts::nearest(const List& list, const Slot& slot, const Vec3& x) const {
+  const Surface& surface = case_.walls.surfaces[slot.surface];
+  const Pose& p = pose_[surface.body];
+  const Vec3 at = p.to_body(x);
+  if (slot.first == slot.last) return p.to_world(closest_point(surface.shape, at));
+  return p.to_world(closest_point(std::get<Facet>(surface.shape),
+                                  {&list.triangles[slot.first], slot.last - slot.first}, at));
+}
+
+ContactHistory WallContacts::history(std::size_t particles) const {
+  ContactHistory h;
+  h.start.assign(particles + 1, 0);
+  for (const List& list : lists_)
+    for (const Row& row : list.rows)
+      for (std::uint32_t s = row.first; s < row.last; ++s) {
+        const Slot& slot = list.slots[s];
+        if (!slot.touches) continue;
+        ++h.start[row.particle + 1];
+        h.partner.push_back(slot.surface);
+        h.tangential.push_back(vec3(slot.springs.tangential));
+        h.rolling.push_back(vec3(slot.springs.rolling));
+      }
+  for (std::size_t i = 1; i < h.start.size(); ++i) h.start[i] += h.start[i - 1];
   return h;
 }
 
-ContactBook WallContacts::set_forces(Spheres& spheres, const ContactLaws& laws, double dt) {
-  book_.assign((spheres.size() + force_block - 1) / force_block, {});
-  const auto block = [&](std::size_t first, std::size_t last) {
-    ContactBook& book = book_[first / force_block];
-    for (std::size_t i = first; i < last; ++i) {
-      spheres.load[i].force.setZero();
-      spheres.load[i].torque.setZero();
-      if (start_[i] < start_[i + 1]) add_forces_on(spheres, i, laws, dt, book);
-    }
-  };
-  parallel_blocks(spheres.size(), std::cref(block), force_block);
-  ContactBook sum;
-  for (const ContactBook& b : book_) {
-    sum.dissipated += b.dissipated;
-    sum.overlap_ratio = std::max(sum.overlap_ratio, b.overlap_ratio);
-  }
-  return sum;
+ContactBook WallContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
+                                     std::span<Load> loads) {
+  List& list = lists_[b];
+  ContactBook book;
+  for (const Row& row : list.rows)
+    add_forces_on(list, row, spheres, dt, loads[row.particle - list.block.first], book);
+  return book;
 }
 
 // Surfaces that the sphere overlaps, deepest first, equal ones by their index.
-WallContacts::Meetings WallContacts::meet(const Sphere& sphere, std::size_t row) const {
+WallContacts::Meetings WallContacts::meet(List& list, const Row& row, const Sphere& sphere) const {
   Meetings m;
-  for (std::uint32_t slot = start_[row]; slot < start_[row + 1]; ++slot) {
-    const Surface& surface = case_.walls.surfaces[surface_[slot]];
-    if (!present_[surface_[slot]]) continue;
-    const Pose& p = pose_[surface.body];
-    const Vec3 x = p.to_body(sphere.position);
-    if (is_surely_beyond(surface.shape, x, sphere.radius)) continue;
-    const Vec3 point = p.to_world(closest_point(surface.shape, x));
+  for (std::uint32_t s = row.first; s < row.last; ++s) {
+    Slot& slot = list.slots[s];
+    if (list.gone < slot.wake || !present_[slot.surface]) continue;
+    const Vec3 point = nearest(list, slot, sphere.position);
     const Vec3 d = sphere.position - point;
     const double distance = d.norm();
+    slot.wake = list.gone + rounding * (distance - sphere.radius);
     if (distance >= sphere.radius || distance == 0.0) continue;
-    const Meeting met{slot, point, d / distance, sphere.radius - distance};
+    const Meeting met{&slot, point, d / distance, sphere.radius - distance};
     if (m.count == most_meetings && m.list[m.count - 1].overlap >= met.overlap) continue;
     std::size_t k = m.count < most_meetings ? m.count++ : most_meetings - 1;
     for (; k > 0 && m.list[k - 1].overlap < met.overlap; --k) m.list[k] = m.list[k - 1];
@@ -150,13 +185,13 @@ WallContacts::Meetings WallContacts::meet(const Sphere& sphere, std::size_t row)
 }
 
 // Keeps a meeting only if its point lies on none of the deeper ones' surfaces.
-void WallContacts::drop_shared(Meetings& m, double radius) const {
+void WallContacts::drop_shared(const List& list, Meetings& m, double radius) const {
   std::size_t kept = 1;
   for (std::size_t k = 1; k < m.count; ++k) {
     bool is_shared = false;
     for (std::size_t a = 0; a < kept && !is_shared; ++a) {
       const Vec3& q = m.list[k].point;
-      is_shared = (nearest(surface_[m.list[a].slot], q) - q).norm() <= on_surface * radius;
+      is_shared = (nearest(list, *m.list[a].slot, q) - q).norm() <= on_surface * radius;
     }
     if (!is_shared) m.list[kept++] = m.list[k];
   }
@@ -164,48 +199,60 @@ void WallContacts::drop_shared(Meetings& m, double radius) const {
 }
 
 // Springs of a contact of the same body that ends now under a similar normal, else loose ones.
-Springs WallContacts::inherited(const Meeting& fresh, const Sphere& sphere, std::size_t row) {
-  const auto body = [&](std::uint32_t slot) { return case_.walls.surfaces[surface_[slot]].body; };
-  for (std::uint32_t slot = start_[row]; slot < start_[row + 1]; ++slot) {
-    if (touches_[slot] != touched || body(slot) != body(fresh.slot)) continue;
-    const Vec3 away = sphere.position - nearest(surface_[slot], sphere.position);
+Springs<double> WallContacts::inherited(List& list, const Row& row, const Meeting& fresh,
+                                        const Sphere& sphere) const {
+  const auto body = [&](const Slot& slot) { return case_.walls.surfaces[slot.surface].body; };
+  for (std::uint32_t s = row.first; s < row.last; ++s) {
+    Slot& slot = list.slots[s];
+    if (!slot.touches || slot.touches_now || body(slot) != body(*fresh.slot)) continue;
+    const Vec3 away = sphere.position - nearest(list, slot, sphere.position);
     if (away.dot(fresh.n) <= similar_normal * away.norm()) continue;
-    touches_[slot] = 0;
-    return springs_[slot];
+    slot.touches = false;
+    return slot.springs;
   }
-  return {Vec3::Zero(), Vec3::Zero()};
+  return {};
 }
 
-void WallContacts::add_forces_on(Spheres& s, std::size_t i, const ContactLaws& laws, double dt,
-                                 ContactBook& book) {
-  const Sphere& sphere = s.sphere[i];
-  Meetings m = meet(sphere, i);
-  if (m.count > 1) drop_shared(m, sphere.radius);
-  for (std::size_t k = 0; k < m.count; ++k) touches_[m.list[k].slot] |= touching;
+void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt,
+                                 Load& load, ContactBook& book) const {
+  const Sphere& sphere = spheres.sphere[row.particle];
+  Meetings m = meet(list, row, sphere);
+  if (m.count > 1) drop_shared(list, m, sphere.radius);
+  for (std::size_t k = 0; k < m.count; ++k) m.list[k].slot->touches_now = true;
   for (std::size_t k = 0; k < m.count; ++k) {
-    const std::uint32_t slot = m.list[k].slot;
-    if (touches_[slot] == touching) springs_[slot] = inherited(m.list[k], sphere, i);
+    Slot& slot = *m.list[k].slot;
+    if (!slot.touches) slot.springs = inherited(list, row, m.list[k], sphere);
   }
-  for (std::size_t k = 0; k < m.count; ++k) push(s, i, m.list[k], laws, dt, book);
-  for (std::uint32_t slot = start_[i]; slot < start_[i + 1]; ++slot)
-    touches_[slot] = touches_[slot] & touching ? touched : 0;
+  for (std::size_t k = 0; k < m.count; ++k) push(spheres, row.particle, m.list[k], dt, load, book);
+  for (std::uint32_t s = row.first; s < row.last; ++s) {
+    Slot& slot = list.slots[s];
+    slot.touches = slot.touches_now;
+    slot.touches_now = false;
+  }
 }
 
-void WallContacts::push(Spheres& s, std::size_t i, const Meeting& met, const ContactLaws& laws,
-                        double dt, ContactBook& book) {
-  const Sphere& sphere = s.sphere[i];
-  const Kinetics& u = s.kinetics[i];
-  const Surface& surface = case_.walls.surfaces[surface_[met.slot]];
+void WallContacts::push(const Spheres& spheres, std::size_t i, const Meeting& met, double dt,
+                        Load& load, ContactBook& book) const {
+  const Sphere& sphere = spheres.sphere[i];
+  const Kinetics& u = spheres.kinetics[i];
+  const Surface& surface = case_.walls.surfaces[met.slot->surface];
   const Pose& wall = pose_[surface.body];
   const double arm = sphere.radius - 0.5 * met.overlap;
-  const Touch touch{met.n,         met.overlap,        u.velocity - wall.velocity_at(met.point),
-                    arm * u.spin,  u.spin - wall.spin, arm / (sphere.radius - met.overlap),
-                    sphere.radius, u.inverse_mass};
-  const ContactForce f =
-      evaluate(laws.with_wall(u.species, surface.material), touch, dt, springs_[met.slot]);
-  s.load[i].force += f.force;
-  s.load[i].torque -= arm * f.twist + f.rolling;
-  book.dissipated += f.dissipated;
+  const Touch<double> touch{triple(met.n),
+                            met.overlap,
+                            triple(u.velocity - wall.velocity_at(met.point)),
+                            triple(arm * u.spin),
+                            triple(u.spin - wall.spin),
+                            arm / (sphere.radius - met.overlap),
+                            sphere.radius,
+                            u.inverse_mass};
+  const ContactForce<double> f = evaluate(
+      laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, met.slot->springs);
+  load.force += vec3(f.force);
+  load.torque -= vec3(arm * f.twist + f.rolling);
+  book.elastic += f.elastic;
+  book.wall_work +=
+      dt * (vec3(f.force).dot(wall.velocity_at(met.point)) - vec3(f.rolling).dot(wall.spin));
   book.overlap_ratio = std::max(book.overlap_ratio, met.overlap / sphere.radius);
 }
 

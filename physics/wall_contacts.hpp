@@ -4,9 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "physics/blocks.hpp"
 #include "physics/contact_law.hpp"
 #include "physics/motion.hpp"
+#include "physics/pair_kernel.hpp"
 #include "physics/spheres.hpp"
+#include "physics/wall_tree.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/contacts.hpp"
 
@@ -17,6 +20,10 @@ namespace pmr::physics {
 // shared edge of flat or convex surfaces there is one contact, in a concave corner one per side.
 // Springs are kept by surface; a contact that is new takes over the springs of a contact of the
 // same body that ends in the same step under a similar normal, so they follow across triangles.
+//
+// Each block of particles lists the surfaces near its particles and renews the list by itself when
+// it or a wall has moved by the list's skin; a surface that was far off at the last look is not
+// looked at again before it can have come near.
 class WallContacts {
  public:
   explicit WallContacts(const Case& c);
@@ -27,22 +34,48 @@ class WallContacts {
   // Bound on how far any wall moves within the domain in [t0, t1] [m].
   double displacement_bound(double t0, double t1) const;
 
-  // Lists the surfaces closer than `skin` [m] to each particle as the walls stand, present or not.
-  void rebuild(const Spheres& spheres, double skin, const ContactHistory& history);
+  // Lists the surfaces closer than `skin` [m] to each particle as the walls stand, present or not,
+  // with the springs of `history`.
+  void open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+            const ContactHistory& history);
 
   // Springs of the touching walls, rows in the particles' order.
-  ContactHistory history() const;
+  ContactHistory history(std::size_t particles) const;
 
-  // Sets all loads to the forces of the walls, and moves the springs by dt [s].
-  ContactBook set_forces(Spheres& spheres, const ContactLaws& laws, double dt);
+  // To be called after every drift, in which no particle of block b came closer to a wall by more
+  // than `closer` [m]: keeps the block's list complete.
+  void follow(std::size_t b, const Spheres& spheres, double closer);
+
+  // Adds the forces of the walls to the loads of block b's particles; moves the springs by dt [s].
+  ContactBook add_forces(std::size_t b, const Spheres& spheres, double dt, std::span<Load> loads);
 
  private:
+  struct Slot {
+    std::uint32_t surface;
+    std::uint32_t first, last;  // triangles of a facet that are near, in List::triangles
+    bool touches = false;       // since the last force pass
+    bool touches_now = false;   // scratch of a force pass
+    double wake = 0.0;          // [m] way of the block up to which it surely does not touch
+    Springs<double> springs{};  // meaningful while touching
+  };
+  struct Row {
+    std::uint32_t particle;
+    std::uint32_t first, last;  // slots
+  };
+  struct List {
+    Block block;
+    std::vector<Row> rows;  // particles near walls, ascending
+    std::vector<Slot> slots;
+    std::vector<std::uint32_t> triangles;
+    double skin = 0.0;  // [m]
+    double gone = 0.0;  // [m] bound on the way of any particle towards any wall since
+  };
   // One surface as a sphere meets it.
   struct Meeting {
-    std::uint32_t slot;
+    Slot* slot;
     Vec3 point;      // [m] nearest point of the surface
     Vec3 n;          // [1] from it to the centre
-    double overlap;  // [m] negative where they are apart
+    double overlap;  // [m]
   };
   static constexpr std::size_t most_meetings = 32;  // surfaces that one sphere can touch at once
   struct Meetings {
@@ -50,26 +83,27 @@ class WallContacts {
     std::size_t count = 0;
   };
 
-  Vec3 nearest(std::uint32_t surface, const Vec3& x) const;
-  void find_rows_near(std::span<const Sphere> group, double skin,
-                      std::vector<std::uint32_t>& found);
-  Meetings meet(const Sphere& sphere, std::size_t row) const;
-  void drop_shared(Meetings& meetings, double radius) const;
-  Springs inherited(const Meeting& fresh, const Sphere& sphere, std::size_t row);
-  void add_forces_on(Spheres& spheres, std::size_t i, const ContactLaws& laws, double dt,
-                     ContactBook& book);
-  void push(Spheres& spheres, std::size_t i, const Meeting& met, const ContactLaws& laws, double dt,
-            ContactBook& book);
+  void relist(List& list, const Spheres& spheres, double skin);
+  void list_row(List& list, const Spheres& spheres, std::uint32_t i,
+                std::span<const WallPart> near);
+  Vec3 nearest(const List& list, const Slot& slot, const Vec3& x) const;
+  Meetings meet(List& list, const Row& row, const Sphere& sphere) const;
+  void drop_shared(const List& list, Meetings& meetings, double radius) const;
+  Springs<double> inherited(List& list, const Row& row, const Meeting& fresh,
+                            const Sphere& sphere) const;
+  void add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt, Load& load,
+                     ContactBook& book) const;
+  void push(const Spheres& spheres, std::size_t i, const Meeting& met, double dt, Load& load,
+            ContactBook& book) const;
 
   const Case& case_;
+  ContactLaws laws_;
   Box domain_;
+  WallTree tree_;
   std::vector<Pose> pose_;             // [bodies] now
   std::vector<std::uint8_t> present_;  // [surfaces] now
-
-  std::vector<std::uint32_t> start_, surface_;  // rows of candidates, by surface
-  std::vector<std::uint8_t> touches_;           // [slots] since the last force pass
-  std::vector<Springs> springs_;                // [slots] meaningful while touching
-  std::vector<ContactBook> book_;               // [blocks] scratch
+  double thinnest_ = 0.0;              // [m] skin
+  std::vector<List> lists_;            // [blocks]
 };
 
 }  // namespace pmr::physics

@@ -52,7 +52,8 @@ void for_each_book_field(S& state, Visitor&& visit) {
 // All of the state but particles, contacts and lost particles, whose order needs care.
 template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
-  auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, network_step, particles,
+  auto& [time, phase, step, interval, rest_since, settled_at, set_point_at,
+         elastic_energy, network_step, particles,
          pair_contacts, wall_contacts, walls, gas, exchange, fluxes, opening, extremes, lost] =
       state;
   visit("time", "s", time);
@@ -62,6 +63,7 @@ void for_each_ordered_field(S& state, Visitor&& visit) {
   visit("rest_since", "s", rest_since);
   visit("settled_at", "s", settled_at);
   visit("set_point_at", "s", set_point_at);
+  visit("elastic_energy", "J", elastic_energy);
   visit("network_step", "s", network_step);
   auto& [cell_energy] = walls;
   visit("walls/cell_energy", "J", cell_energy);

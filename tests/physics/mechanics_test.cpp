@@ -58,25 +58,33 @@ TEST_CASE("A run that goes on from a saved state gives the same bits") {
   CHECK(hash(straight) == hash(resumed));
 }
 
-TEST_CASE("The result depends neither on borders nor on the lists' skin") {
+// A force is summed in the order of the lists, which borders and skins decide; nothing else may
+// depend on them. Sums of doubles differ by 1e-16; collisions multiply that.
+TEST_CASE("Borders and the lists' skin change the result by rounding only") {
   Case c = bare_case();
   add_can(c, 0.01);
   fill(c, 100, 300, 0.01, 0.0);
   State once = opened(c), twice = once, wide = once;
-  run(c, once, 2000);
-  run(c, twice, 900);
-  run(c, twice, 1100);
+  run(c, once, 1000);
+  run(c, twice, 450);
+  run(c, twice, 550);
   c.models.mechanics.skin = 1.3;
-  run(c, wide, 2000);
-  std::vector<Vec3> by_id[3];
-  const State* states[3] = {&once, &twice, &wide};
-  for (int k = 0; k < 3; ++k) {
-    by_id[k].resize(400);
-    for (std::size_t i = 0; i < 400; ++i)
-      by_id[k][states[k]->particles.id[i]] = states[k]->particles.position[i];
-  }
-  CHECK(by_id[0] == by_id[1]);
-  CHECK(by_id[0] == by_id[2]);
+  run(c, wide, 1000);
+  const auto by_id = [](const State& state) {
+    std::vector<Vec3> places(state.particles.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      places[state.particles.id[i]] = state.particles.position[i];
+    return places;
+  };
+  const auto largest_difference = [&](const State& a, const State& b) {
+    double largest = 0.0;
+    for (std::size_t id = 0; id < 400; ++id)
+      largest = std::max(largest, (by_id(a)[id] - by_id(b)[id]).norm());
+    return largest;
+  };
+  CHECK(once.pair_contacts.partner.size() > 100);
+  CHECK(largest_difference(once, twice) < 1e-12);
+  CHECK(largest_difference(once, wide) < 1e-12);
 }
 
 TEST_CASE("A bed comes to rest in a cylinder with nothing lost and a sane solid fraction") {

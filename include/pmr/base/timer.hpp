@@ -12,6 +12,11 @@ class Stopwatch {
   double seconds() const {  // [s] since construction
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
+  double lap() {  // [s] since construction or the last lap
+    const double passed = seconds();
+    start_ = std::chrono::steady_clock::now();
+    return passed;
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

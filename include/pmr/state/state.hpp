@@ -114,6 +114,7 @@ struct State {
   double rest_since = std::numeric_limits<double>::infinity();    // [s] bed below the rest speed
   double settled_at = std::numeric_limits<double>::infinity();    // [s] start of the react phase
   double set_point_at = std::numeric_limits<double>::infinity();  // [s] pressure first at set-point
+  double elastic_energy = 0.0;  // [J] of the Hertz springs of all contacts
   double network_step = 0.0;  // [s] CVODE's last step, tried first in the next interval
   Particles particles;
   ContactHistory pair_contacts;

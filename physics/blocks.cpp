@@ -1,0 +1,22 @@
+#include "physics/blocks.hpp"
+
+#include <algorithm>
+
+namespace pmr::physics {
+namespace {
+
+constexpr std::size_t smallest_block = 128;  // [particles]
+constexpr std::size_t wanted_blocks = 32;
+
+}  // namespace
+
+std::vector<Block> cut(std::size_t n) {
+  const std::size_t size = std::clamp(n / wanted_blocks, smallest_block, largest_block);
+  std::vector<Block> blocks;
+  for (std::size_t first = 0; first < n; first += size)
+    blocks.push_back(
+        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(n, first + size))});
+  return blocks;
+}
+
+}  // namespace pmr::physics

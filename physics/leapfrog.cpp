@@ -1,0 +1,103 @@
+#include "physics/leapfrog.hpp"
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pmr::physics {
+namespace {
+
+// Three numbers of a vector and a fourth that stands behind it in its record.
+using Quad = __m256d;
+
+Quad quad(const double* p) { return _mm256_loadu_pd(p); }
+Quad all(double x) { return _mm256_set1_pd(x); }
+Quad without_fourth(Quad a) { return _mm256_blend_pd(a, _mm256_setzero_pd(), 8); }
+double sum_of_three(Quad a) { return a[0] + a[1] + a[2]; }
+Vec3 vec3(Quad a) { return {a[0], a[1], a[2]}; }
+
+// One particle's motion and what its load makes of it in half a sub-step.
+struct Motion {
+  Quad velocity, spin;        // fourth: as it stands in Kinetics
+  Quad force, torque;         // fourth: 0
+  Quad half_kick, half_turn;  // fourth: 0
+};
+
+Motion motion_of(const Kinetics& k, const Load& load, double half, Quad gravity) {
+  Motion m{quad(k.velocity.data()),
+           quad(k.spin.data()),
+           quad(load.force.data()),
+           quad(load.torque.data()),
+           {},
+           {}};
+  m.half_kick = all(half) * (all(k.inverse_mass) * m.force + gravity);
+  m.half_turn = all(half * k.inverse_inertia) * m.torque;
+  return m;
+}
+
+void kick(Motion& m) {
+  m.velocity += m.half_kick;
+  m.spin += m.half_turn;
+}
+
+Quad power(const Motion& m) { return m.force * m.velocity + m.torque * m.spin; }
+
+void put(const Motion& m, Kinetics& k) {
+  _mm256_storeu_pd(k.velocity.data(), m.velocity);
+  _mm256_storeu_pd(k.spin.data(), m.spin);
+}
+
+Quad gravity_of(const Leapfrog& l) {
+  return _mm256_setr_pd(l.gravity[0], l.gravity[1], l.gravity[2], 0.0);
+}
+
+}  // namespace
+
+Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, const Block& block,
+                       const Leapfrog& leapfrog, bool ends_step, Moved& moved) {
+  const double half = 0.5 * leapfrog.dt;
+  const Quad gravity = gravity_of(leapfrog), dt = without_fourth(all(leapfrog.dt));
+  Quad slowest = all(1e300), fastest = all(-1e300), low = slowest, high = fastest;
+  Quad work = all(0.0), broken = all(0.0);
+  double speed_squared = 0.0;
+  for (std::uint32_t i = block.first; i < block.last; ++i) {
+    Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
+    if (ends_step) kick(m);
+    work += power(m);
+    kick(m);
+    put(m, moved.kinetics[i]);
+    const Quad x = quad(spheres.sphere[i].position.data()) + dt * m.velocity;
+    _mm256_storeu_pd(moved.sphere[i].position.data(), x);
+    slowest = _mm256_min_pd(slowest, m.velocity);
+    fastest = _mm256_max_pd(fastest, m.velocity);
+    low = _mm256_min_pd(low, x);
+    high = _mm256_max_pd(high, x);
+    broken = _mm256_or_pd(broken, _mm256_cmp_pd(x, x, _CMP_UNORD_Q));
+    speed_squared = std::max(speed_squared, sum_of_three(m.velocity * m.velocity));
+  }
+  return {.velocity = {vec3(slowest), vec3(fastest)},
+          .fastest = std::sqrt(speed_squared),
+          .places = {vec3(low), vec3(high)},
+          .is_finite = _mm256_movemask_pd(broken) == 0,
+          .contact_work = (ends_step ? leapfrog.dt : half) * sum_of_three(work)};
+}
+
+Passage kick(const Spheres& spheres, std::span<const Load> loads, const Block& block,
+             const Leapfrog& leapfrog, Moved& moved) {
+  const double half = 0.5 * leapfrog.dt;
+  const Quad gravity = gravity_of(leapfrog);
+  Quad work = all(0.0);
+  for (std::uint32_t i = block.first; i < block.last; ++i) {
+    Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
+    kick(m);
+    work += power(m);
+    put(m, moved.kinetics[i]);
+    moved.sphere[i] = spheres.sphere[i];
+  }
+  Passage passage;
+  passage.contact_work = half * sum_of_three(work);
+  return passage;
+}
+
+}  // namespace pmr::physics

@@ -1,0 +1,156 @@
+// The pair kernel's text, compiled once by each pair_kernel_*.cpp for its processor.
+#pragma once
+#include "physics/lanes.hpp"
+#include "physics/pair_kernel.hpp"
+
+namespace pmr::physics {
+namespace {
+
+using Vector = Triple<Lanes>;
+
+// Position and radius, velocity and inverse mass, spin of the spheres index[lane].
+struct Side {
+  Lanes sphere[4], motion[4], spin[4];
+};
+
+[[gnu::always_inline]] inline void gather_spheres(const PairWork& work, const std::uint32_t* index,
+                                                  Side& side) {
+  gather([&](std::size_t l) { return work.sphere + index[l] / 2; }, side.sphere);
+}
+
+[[gnu::always_inline]] inline void gather_kinetics(const PairWork& work, const std::uint32_t* index,
+                                                   Side& side) {
+  gather([&](std::size_t l) { return work.kinetics + index[l]; }, side.motion);
+  gather([&](std::size_t l) { return work.kinetics + index[l] + 4; }, side.spin);
+}
+
+[[gnu::always_inline]] inline Vector vector(const Lanes (&record)[4]) {
+  return {record[0], record[1], record[2]};
+}
+
+[[gnu::always_inline]] inline Vector load_vector(const double (&from)[3][PairGroup::count],
+                                                 std::size_t lane) {
+  return {load(&from[0][lane]), load(&from[1][lane]), load(&from[2][lane])};
+}
+
+[[gnu::always_inline]] inline void store_vector(double (&to)[3][PairGroup::count], std::size_t lane,
+                                                Mask where, const Vector& v) {
+  const Lanes zero{0.0};
+  store(&to[0][lane], select(where, v.x, zero));
+  store(&to[1][lane], select(where, v.y, zero));
+  store(&to[2][lane], select(where, v.z, zero));
+}
+
+// A vector per lane, as records.
+struct Records {
+  alignas(64) double of_lane[Lanes::count][4];
+  [[gnu::always_inline]] explicit Records(const Vector& v) {
+    Lanes fields[4] = {v.x, v.y, v.z, Lanes{0.0}};
+    store_records(of_lane[0], fields);
+  }
+};
+
+[[gnu::always_inline]] inline void add(double* to, const double* record) {
+  _mm256_storeu_pd(to, _mm256_add_pd(_mm256_loadu_pd(to), _mm256_load_pd(record)));
+}
+[[gnu::always_inline]] inline void subtract(double* to, const double* record) {
+  _mm256_storeu_pd(to, _mm256_sub_pd(_mm256_loadu_pd(to), _mm256_load_pd(record)));
+}
+
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_bit(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(__builtin_ctz(bits)));
+}
+
+struct Sums {
+  alignas(64) double elastic[PairGroup::count] = {};
+  Lanes overlap_ratio{0.0};
+};
+
+// Lanes::count pairs of a group, from lane `from` on. Returns the bits of those that touch.
+[[gnu::always_inline]] inline std::uint32_t evaluate_lanes(const PairWork& work,
+                                                           const LawOf<Lanes>& law,
+                                                           PairGroup& group, std::size_t from,
+                                                           Sums& sums) {
+  constexpr std::uint32_t all = (1U << Lanes::count) - 1U;
+  const std::uint32_t* const i = group.i + from;
+  const std::uint32_t* const j = group.j + from;
+  const auto bits_of = [&](std::uint8_t b) { return (std::uint32_t{b} >> from) & all; };
+  const Lanes zero{0.0}, one{1.0}, half{0.5};
+
+  Side a, b;
+  gather_spheres(work, i, a);
+  gather_spheres(work, j, b);
+  const Vector d = vector(a.sphere) - vector(b.sphere);
+  const Lanes &radius_i = a.sphere[3], &radius_j = b.sphere[3];
+  const Lanes sum = radius_i + radius_j;
+  const Lanes squared = dot(d, d);
+  const Mask touches = (sum * sum > squared) & mask(bits_of(group.used));
+  const std::uint32_t touching = bits(touches);
+  if ((touching | bits_of(group.touching)) == 0) return 0;
+
+  gather_kinetics(work, i, a);
+  gather_kinetics(work, j, b);
+  const Lanes distance = sqrt(squared);
+  const Lanes overlap = max(sum - distance, zero);  // rounding may deny what the squares say
+  const Lanes arm_i = radius_i - half * overlap, arm_j = radius_j - half * overlap;
+  const Touch<Lanes> touch{(one / distance) * d,
+                           overlap,
+                           vector(a.motion) - vector(b.motion),
+                           arm_i * vector(a.spin) + arm_j * vector(b.spin),
+                           vector(a.spin) - vector(b.spin),
+                           one,
+                           radius_i * radius_j / sum,
+                           a.motion[3] + b.motion[3]};
+  Springs<Lanes> springs{load_vector(group.tangential, from), load_vector(group.rolling, from)};
+  const ContactForce<Lanes> f = evaluate(law, touch, Lanes{work.dt}, springs);
+  store_vector(group.tangential, from, touches, springs.tangential);
+  store_vector(group.rolling, from, touches, springs.rolling);
+
+  const Records force(f.force);
+  const Records torque_i((zero - arm_i) * f.twist - f.rolling);
+  const Records torque_j(f.rolling - arm_j * f.twist);
+  for_each_bit(touching & bits_of(group.own_i), [&](std::size_t l) {
+    double* const to = work.load + (i[l] - work.first);
+    add(to, force.of_lane[l]);
+    add(to + 4, torque_i.of_lane[l]);
+  });
+  for_each_bit(touching & bits_of(group.own_j), [&](std::size_t l) {
+    double* const to = work.load + (j[l] - work.first);
+    subtract(to, force.of_lane[l]);
+    add(to + 4, torque_j.of_lane[l]);
+  });
+  const Mask counts = touches & mask(bits_of(group.own_i));
+  store(sums.elastic + from, load(sums.elastic + from) + select(counts, f.elastic, zero));
+  sums.overlap_ratio =
+      max(sums.overlap_ratio, select(touches, overlap / min(radius_i, radius_j), zero));
+  return touching;
+}
+
+[[gnu::always_inline]] inline LawOf<Lanes> on_all_lanes(const ContactLaw& law) {
+  return {Lanes{law.normal},         Lanes{law.tangential},
+          Lanes{law.normal_damping}, Lanes{law.tangential_damping},
+          Lanes{law.friction},       Lanes{law.rolling_friction}};
+}
+
+[[gnu::always_inline]] inline ContactBook pair_forces(const PairWork& work) {
+  Sums sums;
+  for (std::size_t g = 0; g < work.group_count; ++g) {
+    PairGroup& group = work.groups[g];
+    const LawOf<Lanes> law = on_all_lanes(work.laws[group.law]);
+    std::uint32_t touching = 0;
+    for (std::size_t from = 0; from < PairGroup::count; from += Lanes::count)
+      touching |= evaluate_lanes(work, law, group, from, sums) << from;
+    group.touching = static_cast<std::uint8_t>(touching);
+  }
+  ContactBook book;
+  for (const double e : sums.elastic) book.elastic += e;
+  alignas(64) double ratio[Lanes::count];
+  store(ratio, sums.overlap_ratio);
+  for (const double r : ratio)
+    if (r > book.overlap_ratio) book.overlap_ratio = r;
+  return book;
+}
+
+}  // namespace
+}  // namespace pmr::physics

@@ -1,0 +1,78 @@
+#include "physics/wall_tree.hpp"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+namespace pmr::physics {
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+using Bounds = bg::model::box<Point>;
+struct Entry {
+  Bounds bounds;
+  WallPart part;
+};
+struct BoundsOf {
+  using result_type = const Bounds&;
+  const Bounds& operator()(const Entry& e) const { return e.bounds; }
+};
+using Tree = bg::index::rtree<Entry, bg::index::rstar<16>, BoundsOf>;
+
+Bounds bounds(const Box& box) {
+  return {Point(box.low[0], box.low[1], box.low[2]), Point(box.high[0], box.high[1], box.high[2])};
+}
+
+void list_parts(const Surface& surface, std::uint32_t index, std::vector<Entry>& parts) {
+  const auto* facet = std::get_if<Facet>(&surface.shape);
+  if (!facet) {
+    parts.push_back({bounds(bounding_box(surface.shape)), {index, WallPart::whole}});
+    return;
+  }
+  for (std::uint32_t t = 0; t < facet->triangles.size(); ++t) {
+    const auto& [a, b, c] = facet->triangles[t];
+    const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+    parts.push_back({bounds(box), {index, t}});
+  }
+}
+
+}  // namespace
+
+struct WallTree::Trees {
+  std::vector<Tree> of_body;
+  std::vector<WallPart> endless;
+};
+
+WallTree::WallTree(const Walls& walls) : trees_(std::make_unique<Trees>()) {
+  std::vector<std::vector<Entry>> parts(walls.bodies.size());
+  for (std::uint32_t s = 0; s < walls.surfaces.size(); ++s) {
+    const Surface& surface = walls.surfaces[s];
+    if (!surface.holds_particles) continue;
+    if (std::holds_alternative<Plane>(surface.shape))
+      trees_->endless.push_back({s, WallPart::whole});
+    else
+      list_parts(surface, s, parts[surface.body]);
+  }
+  for (const auto& list : parts) trees_->of_body.emplace_back(list.begin(), list.end());
+}
+
+WallTree::~WallTree() = default;
+
+std::vector<WallPart> WallTree::near(const Vec3& x, double reach,
+                                     const std::vector<Pose>& poses) const {
+  std::vector<WallPart> found = trees_->endless;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    const Tree& tree = trees_->of_body[b];
+    if (tree.empty()) continue;
+    const Vec3 at = poses[b].to_body(x), half = Vec3::Constant(reach);
+    const auto hits = bg::index::intersects(bounds({at - half, at + half}));
+    for (auto hit = tree.qbegin(hits); hit != tree.qend(); ++hit) found.push_back(hit->part);
+  }
+  std::sort(found.begin(), found.end(), [](const WallPart& p, const WallPart& q) {
+    return p.surface != q.surface ? p.surface < q.surface : p.triangle < q.triangle;
+  });
+  return found;
+}
+
+}  // namespace pmr::physics
