@@ -12,7 +12,7 @@
 namespace pmr::physics {
 namespace {
 
-constexpr double steps_of_a_list = 20.0;  // [1] a wide list should last while particles are fast
+constexpr double steps_of_a_list = 50.0;  // [1] a wide list should last while particles are fast
 constexpr double thickest_skin = 5.0;     // [1] times the case's skin
 constexpr double rounding = 0.999;        // of bounds that are sums [1]
 

@@ -9,7 +9,7 @@ namespace {
 
 // A near list is to last about this many sub-steps [1]; its skin is at least this part of the wide
 // one's [1].
-constexpr double steps_of_near_list = 15.0;
+constexpr double steps_of_near_list = 8.0;
 constexpr double thinnest_near_skin = 0.1;
 constexpr double rounding = 0.999;  // of bounds that are sums [1]
 

@@ -42,20 +42,27 @@ struct WideSearch::Candidates {
   std::vector<std::vector<std::uint32_t>> index;
 };
 
+void WideSearch::Bounds::include(const Bounds& other) {
+  box.low = box.low.cwiseMin(other.box.low);
+  box.high = box.high.cwiseMax(other.box.high);
+  largest = std::max(largest, other.largest);
+}
+
 WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks, double skin)
-    : spheres_(spheres), blocks_(blocks), skin_(skin), box_(blocks.size()), reach_(blocks.size()) {
+    : spheres_(spheres),
+      blocks_(blocks),
+      skin_(skin),
+      bounds_(blocks.size()),
+      runs_(blocks.size()) {
   parallel_for(
       blocks.size(),
       [&](std::size_t b) {
-        Box box{spheres.sphere[blocks[b].first].position, spheres.sphere[blocks[b].first].position};
-        double largest = 0.0;
         for (std::uint32_t i = blocks[b].first; i < blocks[b].last; ++i) {
-          box.low = box.low.cwiseMin(spheres.sphere[i].position);
-          box.high = box.high.cwiseMax(spheres.sphere[i].position);
-          largest = std::max(largest, spheres.sphere[i].radius);
+          if ((i - blocks[b].first) % run_length == 0) runs_[b].emplace_back();
+          const Sphere& s = spheres.sphere[i];
+          runs_[b].back().include({{s.position, s.position}, s.radius});
         }
-        box_[b] = box;
-        reach_[b] = largest;
+        for (const Bounds& run : runs_[b]) bounds_[b].include(run);
       },
       1);
   if (spheres.size() == 0) return;
@@ -77,17 +84,25 @@ WideSearch::Candidates WideSearch::candidates(std::size_t block, WideList& list)
   Candidates found{std::vector<std::vector<Sphere>>(largest_.size()),
                    std::vector<std::vector<std::uint32_t>>(largest_.size())};
   list.neighbours.clear();
+  const Bounds& own = bounds_[block];
+  const auto near_of = [&](const Bounds& other) {
+    return grown(own.box, (own.largest + other.largest + skin_) * (1.0 + 1e-9));
+  };
   for (std::uint32_t c = 0; c < blocks_.size(); ++c) {
-    const Box near = grown(box_[block], (reach_[block] + reach_[c] + skin_) * (1.0 + 1e-9));
-    if (!overlap(near, box_[c])) continue;
+    if (!overlap(near_of(bounds_[c]), bounds_[c].box)) continue;
     list.neighbours.push_back(c);
-    const FastBox box(near);
-    for (std::uint32_t j = blocks_[c].first; j < blocks_[c].last; ++j) {
-      const Sphere& s = spheres_.sphere[j];
-      if (c != block && !box.holds(s)) continue;
-      const std::size_t size = class_of(s.radius);
-      found.sphere[size].push_back(s);
-      found.index[size].push_back(j);
+    for (std::uint32_t r = 0; r < runs_[c].size(); ++r) {
+      const Box near = near_of(runs_[c][r]);
+      if (!overlap(near, runs_[c][r].box)) continue;
+      const FastBox box(near);
+      const std::uint32_t first = blocks_[c].first + r * run_length;
+      for (std::uint32_t j = first; j < std::min(first + run_length, blocks_[c].last); ++j) {
+        const Sphere& s = spheres_.sphere[j];
+        if (!box.holds(s)) continue;
+        const std::size_t size = class_of(s.radius);
+        found.sphere[size].push_back(s);
+        found.index[size].push_back(j);
+      }
     }
   }
   return found;

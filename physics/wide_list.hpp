@@ -38,8 +38,15 @@ class WideSearch {
   double skin_;                  // [m]
   double smallest_ = 0.0;        // [m] radius
   std::vector<double> largest_;  // [classes] radius [m]
-  std::vector<Box> box_;         // [blocks] of the centres
-  std::vector<double> reach_;    // [blocks] largest radius [m]
+  // Bounds of a few particles that stand behind each other.
+  struct Bounds {
+    Box box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};  // of the centres [m]
+    double largest = 0.0;                                    // radius [m]
+    void include(const Bounds& other);
+  };
+  static constexpr std::uint32_t run_length = 32;  // [particles] of a run
+  std::vector<Bounds> bounds_;                     // [blocks]
+  std::vector<std::vector<Bounds>> runs_;          // [blocks][runs]
 };
 
 }  // namespace pmr::physics
