@@ -11,11 +11,13 @@ constexpr std::size_t wanted_blocks = 32;
 }  // namespace
 
 std::vector<Block> cut(std::size_t n) {
-  const std::size_t size = std::clamp(n / wanted_blocks, smallest_block, largest_block);
+  const std::size_t even = n / wanted_blocks / run_length * run_length;
+  const std::size_t size = std::clamp(even, smallest_block, largest_block);
   std::vector<Block> blocks;
   for (std::size_t first = 0; first < n; first += size)
-    blocks.push_back(
-        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(n, first + size))});
+    blocks.push_back({.number = static_cast<std::uint32_t>(blocks.size()),
+                      .first = static_cast<std::uint32_t>(first),
+                      .last = static_cast<std::uint32_t>(std::min(n, first + size))});
   return blocks;
 }
 

@@ -10,12 +10,14 @@
 namespace pmr::physics {
 
 struct Block {
+  std::uint32_t number;       // its place among the blocks
   std::uint32_t first, last;  // particles [first, last)
   bool holds(std::uint32_t i) const { return i >= first && i < last; }
   std::uint32_t size() const { return last - first; }
 };
 
 inline constexpr std::size_t largest_block = 512;  // [particles]
+inline constexpr std::size_t run_length = 32;      // [particles] blocks start at multiples of it
 
 // Cuts n particles into blocks; their size depends on n only: small enough for threads to share
 // the work evenly, large enough that few pairs cross (a sixth of them at 512 particles).

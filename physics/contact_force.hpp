@@ -42,6 +42,7 @@ template <class Real>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
 [[gnu::always_inline]] inline double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
@@ -68,7 +69,7 @@ struct Touch {
   Triple<Real> relative_spin;  // [rad/s] w_i - w_j
   Real rolling_gain;           // [1] of the spin that winds the rolling spring
   Real reduced_radius;         // R* [m]
-  Real inverse_mass;           // 1/m* [1/kg]
+  Real reduced_mass;           // m* [kg]
 };
 
 // What a contact remembers.
@@ -95,7 +96,7 @@ template <class Real>
   using std::abs, std::sqrt;
   const Real zero{0.0}, one{1.0};
   const Real s = sqrt(t.reduced_radius * t.overlap);  // [m] radius of the contact's area
-  const Real root = sqrt(s / t.inverse_mass);         // [kg^1/2 m^1/2]
+  const Real root = sqrt(t.reduced_mass * s);         // [kg^1/2 m^1/2]
 
   const Real v_n = dot(t.velocity, t.n);
   const Real spring = law.normal * s * t.overlap;
@@ -108,7 +109,7 @@ template <class Real>
   const Real spring_squared = k_t * k_t * dot(d_t, d_t);
   const Real limit = law.friction * abs(f_n);
   const auto slides = spring_squared > limit * limit;
-  d_t = select(slides, limit / sqrt(spring_squared), one) * d_t;
+  if (any(slides)) d_t = select(slides, limit / sqrt(spring_squared), one) * d_t;
   const Real c_t = select(slides, zero, law.tangential_damping * root);
   const Triple<Real> f_t = (zero - k_t) * d_t - c_t * slip;
   springs.tangential = d_t;
@@ -119,7 +120,7 @@ template <class Real>
   const Real torque_limit = law.rolling_friction * t.reduced_radius * abs(f_n);
   const Real torque_squared = dot(torque, torque);
   const auto gives_way = torque_squared > torque_limit * torque_limit;
-  torque = select(gives_way, torque_limit / sqrt(torque_squared), one) * torque;
+  if (any(gives_way)) torque = select(gives_way, torque_limit / sqrt(torque_squared), one) * torque;
   springs.rolling = torque;
 
   return {f_n * t.n + f_t, cross(t.n, f_t), torque, Real{0.4} * spring * t.overlap};

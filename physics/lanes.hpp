@@ -77,6 +77,7 @@ struct Lanes {
 
 #endif
 
+[[gnu::always_inline]] inline bool any(Mask a) { return bits(a) != 0; }
 [[gnu::always_inline]] inline Lanes operator+(Lanes a, Lanes b) {
   return PMR_LANES(add_pd)(a.v, b.v);
 }

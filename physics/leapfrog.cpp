@@ -55,36 +55,44 @@ Quad gravity_of(const Leapfrog& l) {
 }  // namespace
 
 Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, const Block& block,
-                       const Leapfrog& leapfrog, bool ends_step, Moved& moved) {
+                       const Leapfrog& leapfrog, bool ends_step, Places& after) {
   const double half = 0.5 * leapfrog.dt;
   const Quad gravity = gravity_of(leapfrog), dt = without_fourth(all(leapfrog.dt));
-  Quad slowest = all(1e300), fastest = all(-1e300), low = slowest, high = fastest;
+  const Quad none_low = all(1e300), none_high = all(-1e300);
+  Quad slowest = none_low, fastest = none_high, block_low = none_low, block_high = none_high;
   Quad work = all(0.0), broken = all(0.0);
   double speed_squared = 0.0;
-  for (std::uint32_t i = block.first; i < block.last; ++i) {
-    Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
-    if (ends_step) kick(m);
-    work += power(m);
-    kick(m);
-    put(m, moved.kinetics[i]);
-    const Quad x = quad(spheres.sphere[i].position.data()) + dt * m.velocity;
-    _mm256_storeu_pd(moved.sphere[i].position.data(), x);
-    slowest = _mm256_min_pd(slowest, m.velocity);
-    fastest = _mm256_max_pd(fastest, m.velocity);
-    low = _mm256_min_pd(low, x);
-    high = _mm256_max_pd(high, x);
-    broken = _mm256_or_pd(broken, _mm256_cmp_pd(x, x, _CMP_UNORD_Q));
-    speed_squared = std::max(speed_squared, sum_of_three(m.velocity * m.velocity));
+  for (std::uint32_t first = block.first; first < block.last; first += run_length) {
+    const std::uint32_t last = std::min<std::uint32_t>(block.last, first + run_length);
+    Quad low = none_low, high = none_high;
+    for (std::uint32_t i = first; i < last; ++i) {
+      Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
+      if (ends_step) kick(m);
+      work += power(m);
+      kick(m);
+      put(m, after.kinetics[i]);
+      const Quad x = quad(spheres.sphere[i].position.data()) + dt * m.velocity;
+      _mm256_storeu_pd(after.sphere[i].position.data(), x);
+      slowest = _mm256_min_pd(slowest, m.velocity);
+      fastest = _mm256_max_pd(fastest, m.velocity);
+      low = _mm256_min_pd(low, x);
+      high = _mm256_max_pd(high, x);
+      broken = _mm256_or_pd(broken, _mm256_cmp_pd(x, x, _CMP_UNORD_Q));
+      speed_squared = std::max(speed_squared, sum_of_three(m.velocity * m.velocity));
+    }
+    after.run_box[first / run_length] = {vec3(low), vec3(high)};
+    block_low = _mm256_min_pd(block_low, low);
+    block_high = _mm256_max_pd(block_high, high);
   }
+  after.block_box[block.number] = {vec3(block_low), vec3(block_high)};
   return {.velocity = {vec3(slowest), vec3(fastest)},
           .fastest = std::sqrt(speed_squared),
-          .places = {vec3(low), vec3(high)},
           .is_finite = _mm256_movemask_pd(broken) == 0,
           .contact_work = (ends_step ? leapfrog.dt : half) * sum_of_three(work)};
 }
 
 Passage kick(const Spheres& spheres, std::span<const Load> loads, const Block& block,
-             const Leapfrog& leapfrog, Moved& moved) {
+             const Leapfrog& leapfrog, Places& after) {
   const double half = 0.5 * leapfrog.dt;
   const Quad gravity = gravity_of(leapfrog);
   Quad work = all(0.0);
@@ -92,9 +100,10 @@ Passage kick(const Spheres& spheres, std::span<const Load> loads, const Block& b
     Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
     kick(m);
     work += power(m);
-    put(m, moved.kinetics[i]);
-    moved.sphere[i] = spheres.sphere[i];
+    put(m, after.kinetics[i]);
+    after.sphere[i] = spheres.sphere[i];
   }
+  after.block_box[block.number] = spheres.block_box[block.number];
   Passage passage;
   passage.contact_work = half * sum_of_three(work);
   return passage;

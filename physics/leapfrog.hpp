@@ -2,10 +2,8 @@
 // the step.
 #pragma once
 #include <span>
-#include <vector>
 
 #include "physics/blocks.hpp"
-#include "physics/shapes.hpp"
 #include "physics/spheres.hpp"
 
 namespace pmr::physics {
@@ -17,27 +15,21 @@ struct Leapfrog {
 
 // What a block's particles did in one pass.
 struct Passage {
-  VelocityRange velocity;                                     // of the drift
-  double fastest = 0.0;                                       // [m/s] speed in it
-  Box places{Vec3::Constant(1e300), Vec3::Constant(-1e300)};  // [m] after it
-  bool is_finite = true;                                      // no place has become no number
+  VelocityRange velocity;     // of the drift
+  double fastest = 0.0;       // [m/s] speed in it
+  bool is_finite = true;      // no place has become no number
   double contact_work = 0.0;  // [J] of contacts on particles in the half sub-steps passed
 };
 
-// Places and motions after a pass; those before it are still read by other blocks.
-struct Moved {
-  std::vector<Sphere> sphere;
-  std::vector<Kinetics> kinetics;
-};
-
-// Half kick and drift of a block's particles under their loads and gravity; `ends_step`: after the
+// Half kick and drift of a block's particles under their loads and gravity, into `after`: what was
+// before is still read by other blocks. `ends_step`: after the
 // half kick that ends the sub-step before. Force times the velocity at full steps is the work that
 // contacts do, exactly: kinetic energy changes by it and by gravity's.
 Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, const Block& block,
-                       const Leapfrog& leapfrog, bool ends_step, Moved& moved);
+                       const Leapfrog& leapfrog, bool ends_step, Places& after);
 
 // The half kick alone, at the end of an integration.
 Passage kick(const Spheres& spheres, std::span<const Load> loads, const Block& block,
-             const Leapfrog& leapfrog, Moved& moved);
+             const Leapfrog& leapfrog, Places& after);
 
 }  // namespace pmr::physics

@@ -16,7 +16,7 @@ LocalGrid::LocalGrid(std::span<const Sphere> spheres, std::span<const std::uint3
     high = high.cwiseMax(s.position);
     largest_ = std::max(largest_, s.radius);
   }
-  const double most = std::max(64.0, 8.0 * static_cast<double>(spheres.size()));
+  const double most = std::max(64.0, 16.0 * static_cast<double>(spheres.size()));
   std::array<double, 3> sides;
   for (;; cell *= 1.25) {
     for (int k = 0; k < 3; ++k)
@@ -37,7 +37,7 @@ LocalGrid::LocalGrid(std::span<const Sphere> spheres, std::span<const std::uint3
     ++start_[cell_of[i] + 1];
   }
   for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-  index_.resize(spheres.size());
+  index_.resize(spheres.size() + lanes);
   for (auto& field : sorted_) field.resize(spheres.size() + lanes);
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -51,11 +51,12 @@ LocalGrid::LocalGrid(std::span<const Sphere> spheres, std::span<const std::uint3
 
 std::size_t LocalGrid::place(double x, std::size_t axis) const {
   const double cell = (x - low_[axis]) * inverse_;
-  return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells_[axis] - 1)));
+  const auto most = static_cast<double>(static_cast<std::int64_t>(cells_[axis]) - 1);
+  return static_cast<std::size_t>(static_cast<std::int64_t>(std::clamp(cell, 0.0, most)));
 }
 
 void LocalGrid::append_near(const Sphere& a, double skin, std::vector<std::uint32_t>& found) const {
-  if (index_.empty()) return;
+  if (start_.empty()) return;
   const double cube = (a.radius + largest_ + skin) * (1.0 + 1e-9);  // safe against rounding
   std::array<std::size_t, 3> low, high;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -70,9 +71,12 @@ void LocalGrid::append_near(const Sphere& a, double skin, std::vector<std::uint3
     }
 }
 
+// Every index is written, and only those that are near are stepped over: no branch to mispredict.
 void LocalGrid::append_span(const Sphere& a, double skin, std::size_t first, std::size_t last,
                             std::vector<std::uint32_t>& found) const {
   const auto all = [](double x) { return _mm256_set1_pd(x); };
+  std::size_t count = found.size();
+  found.resize(count + (last - first) + 2 * lanes);
   for (std::size_t k = first; k < last; k += lanes) {
     const auto field = [&](std::size_t f) { return _mm256_loadu_pd(&sorted_[f][k]); };
     const __m256d x = all(a.position[0]) - field(0), y = all(a.position[1]) - field(1),
@@ -81,9 +85,12 @@ void LocalGrid::append_span(const Sphere& a, double skin, std::size_t first, std
     const __m256d is_near = _mm256_cmp_pd(x * x + y * y + z * z, reach * reach, _CMP_LT_OQ);
     auto bits = static_cast<unsigned>(_mm256_movemask_pd(is_near));
     if (last - k < lanes) bits &= (1U << (last - k)) - 1U;
-    for (; bits != 0; bits &= bits - 1)
-      found.push_back(index_[k + static_cast<std::size_t>(__builtin_ctz(bits))]);
+    for (std::size_t l = 0; l < lanes; ++l) {
+      found[count] = index_[k + l];
+      count += (bits >> l) & 1U;
+    }
   }
+  found.resize(count);
 }
 
 }  // namespace pmr::physics

@@ -12,7 +12,7 @@ namespace pmr::physics {
 
 class LocalGrid {
  public:
-  // Cells of at least `cell` [m]; larger where that would make more than 8 cells a sphere. Spheres
+  // Cells of at least `cell` [m]; larger where that would make more than 16 cells a sphere. Spheres
   // are reported by `index`.
   LocalGrid(std::span<const Sphere> spheres, std::span<const std::uint32_t> index, double cell);
 
@@ -30,7 +30,7 @@ class LocalGrid {
   std::array<std::size_t, 3> cells_{};         // [1] along each axis
   double largest_ = 0.0;                       // [m] radius
   std::vector<std::uint32_t> start_;           // [cells + 1]
-  std::vector<std::uint32_t> index_;           // [spheres] by cell
+  std::vector<std::uint32_t> index_;           // [spheres + lanes] by cell
   std::array<std::vector<double>, 4> sorted_;  // [spheres + lanes] by cell: x, y, z, radius [m]
 };
 

@@ -12,10 +12,6 @@
 namespace pmr::physics {
 namespace {
 
-constexpr double steps_of_a_list = 50.0;  // [1] a wide list should last while particles are fast
-constexpr double thickest_skin = 5.0;     // [1] times the case's skin
-constexpr double rounding = 0.999;        // of bounds that are sums [1]
-
 template <class Body>
 void timed(double& stage, const Body& body) {
   const Stopwatch watch;
@@ -80,8 +76,6 @@ void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings)
     now = begin + static_cast<double>(k) * leapfrog_.dt;
     walls_.place(now);
     if (!all_inside_) take_out_lost(now);
-    gone_ += spread_ * leapfrog_.dt;
-    if (gone_ > rounding * skin_) timed(stages.lists, [&] { refresh_lists(); });
     pass(walls_.displacement_bound(before, now), k == sub_steps, stages);
   }
   require_finite(spheres_, now);
@@ -101,9 +95,6 @@ void Mechanics::open(State& state) {
   reorder(state, spatial_order(p, 2.0 * smallest_));
   spheres_ = gather_spheres(p);
   blocks_ = cut(p.size());
-  VelocityRange all;
-  for (const Vec3& v : p.velocity) all.include(v);
-  spread_ = all.spread();
   lost_.clear();
   dissipated_ = 0.0;
   elastic_ = state.elastic_energy;
@@ -140,13 +131,11 @@ void Mechanics::opening_forces() {
 }
 
 void Mechanics::opening_drift() {
-  moved_.sphere.resize(spheres_.size());
-  moved_.kinetics.resize(spheres_.size());
   parallel_for(
       blocks_.size(),
       [&](std::size_t b) {
         const std::span<const Load> loads(&spheres_.load[blocks_[b].first], blocks_[b].size());
-        pass_[b].passage = kick_and_drift(spheres_, loads, blocks_[b], leapfrog_, false, moved_);
+        pass_[b].passage = kick_and_drift(spheres_, loads, blocks_[b], leapfrog_, false, after_);
       },
       1);
   take_over_motion();
@@ -173,31 +162,21 @@ void Mechanics::take_out_lost(double t) {
   keep(spheres_.kinetics, left);
   keep(spheres_.label, left);
   spheres_.load.resize(left.size());
-  moved_.sphere.resize(left.size());
-  moved_.kinetics.resize(left.size());
   blocks_ = cut(spheres_.size());
   build_lists(pairs, walls);
 }
 
-// A bed at rest wants a thin skin, few candidates; a fast stream a thick one, few searches.
-double Mechanics::wide_skin() const {
-  const double least = case_.models.mechanics.skin * smallest_;
-  return std::clamp(steps_of_a_list * spread_ * leapfrog_.dt, least, thickest_skin * least);
-}
-
 void Mechanics::build_lists(const ContactHistory& pairs, const ContactHistory& walls) {
   velocity_.assign(blocks_.size(), {});
+  for (const Block& block : blocks_)
+    for (std::uint32_t i = block.first; i < block.last; ++i)
+      velocity_[block.number].include(spheres_.kinetics[i].velocity);
   pass_.assign(blocks_.size(), {});
-  skin_ = wide_skin();
-  gone_ = 0.0;
-  pairs_.open(spheres_, blocks_, skin_, pairs);
-  walls_.open(spheres_, blocks_, case_.models.mechanics.skin * smallest_, walls);
-}
-
-void Mechanics::refresh_lists() {
-  skin_ = wide_skin();
-  gone_ = 0.0;
-  pairs_.refresh(spheres_, blocks_, skin_);
+  bound(spheres_, blocks_);
+  after_.resize(spheres_.size(), blocks_.size());
+  const double skin = case_.models.mechanics.skin * smallest_;
+  pairs_.open(spheres_, blocks_, velocity_, leapfrog_.dt, skin, pairs);
+  walls_.open(spheres_, blocks_, skin, walls);
 }
 
 void Mechanics::pass(double walls_moved, bool is_last, Stages& stages) {
@@ -232,14 +211,14 @@ void Mechanics::pass_block(std::size_t b, double walls_moved, bool is_last) {
   std::fill(loads.begin(), loads.end(), Load{});
   Stopwatch watch;
   walls_.follow(b, spheres_, p.passage.fastest * dt + walls_moved);
-  pairs_.follow(b, spheres_, velocity_, dt);
+  pairs_.follow(b, spheres_, velocity_, spread_, dt);
   p.stages.lists = watch.lap();
   const ContactBook at_walls = walls_.add_forces(b, spheres_, dt, loads);
   p.stages.walls = watch.lap();
   const ContactBook at_pairs = pairs_.add_forces(b, spheres_, dt, loads);
   p.stages.pairs = watch.lap();
-  p.passage = is_last ? kick(spheres_, loads, block, leapfrog_, moved_)
-                      : kick_and_drift(spheres_, loads, block, leapfrog_, true, moved_);
+  p.passage = is_last ? kick(spheres_, loads, block, leapfrog_, after_)
+                      : kick_and_drift(spheres_, loads, block, leapfrog_, true, after_);
   p.stages.kick = watch.lap();
   p.sums = {at_walls.elastic + at_pairs.elastic, at_walls.wall_work,
             std::max(at_walls.overlap_ratio, at_pairs.overlap_ratio)};
@@ -259,8 +238,7 @@ void Mechanics::take_over_sums() {
 }
 
 void Mechanics::take_over_motion() {
-  std::swap(spheres_.sphere, moved_.sphere);
-  std::swap(spheres_.kinetics, moved_.kinetics);
+  std::swap(static_cast<Places&>(spheres_), after_);
   VelocityRange all;
   all_inside_ = true;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -269,9 +247,9 @@ void Mechanics::take_over_motion() {
     all.include(p.velocity);
     extremes_.speed = std::max(extremes_.speed, p.fastest);
     dissipated_ -= p.contact_work;
-    all_inside_ = all_inside_ && p.is_finite &&
-                  (p.places.low.array() >= domain_.low.array()).all() &&
-                  (p.places.high.array() <= domain_.high.array()).all();
+    const Box& box = spheres_.block_box[b];
+    all_inside_ = all_inside_ && p.is_finite && (box.low.array() >= domain_.low.array()).all() &&
+                  (box.high.array() <= domain_.high.array()).all();
   }
   spread_ = all.spread();
 }

@@ -46,13 +46,11 @@ class Mechanics {
   void opening_forces();
   void opening_drift();
   void take_out_lost(double t);
-  void refresh_lists();
   void pass(double walls_moved, bool is_last, Stages& stages);
   void pass_block(std::size_t b, double walls_moved, bool is_last);
   void take_over_sums();
   void take_over_motion();
   void build_lists(const ContactHistory& pairs, const ContactHistory& walls);
-  double wide_skin() const;
 
   const Case& case_;
   Leapfrog leapfrog_;
@@ -62,17 +60,15 @@ class Mechanics {
 
   // Of the current call.
   Spheres spheres_;
-  Moved moved_;  // scratch of a pass
+  Places after_;  // places after the pass that is going on
   std::vector<Block> blocks_;
   std::vector<BlockPass> pass_;          // [blocks]
   std::vector<VelocityRange> velocity_;  // [blocks] in the last drift
   double smallest_ = 0.0;                // [m] radius
-  double skin_ = 0.0;                    // [m] of the wide lists
-  double gone_ = 0.0;        // [m] bound on how much closer any two particles have come since
-  double spread_ = 0.0;      // [m/s] bound on their relative speed in the last drift
-  bool all_inside_ = true;   // after the last drift
-  double elastic_ = 0.0;     // [J] energy of the Hertz springs
-  double dissipated_ = 0.0;  // [J]
+  double spread_ = 0.0;                  // [m/s] bound on their relative speed in the last drift
+  bool all_inside_ = true;               // after the last drift
+  double elastic_ = 0.0;                 // [J] energy of the Hertz springs
+  double dissipated_ = 0.0;              // [J]
   Extremes extremes_;
   std::vector<LostParticle> lost_;
 };

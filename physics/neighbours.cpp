@@ -36,17 +36,17 @@ std::uint64_t spread(std::uint64_t x) {
 }  // namespace
 
 std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach) {
-  const Spheres spheres = gather_spheres(particles);
-  double largest = 0.0;
-  for (const Sphere& s : spheres.sphere) largest = std::max(largest, s.radius);
+  Spheres spheres = gather_spheres(particles);
   const std::vector<Block> blocks = cut(spheres.size());
-  const WideSearch search(spheres, blocks, reach * largest);
+  bound(spheres, blocks);
+  const WideSearch search(spheres, blocks);
+  const double skin = reach * search.largest_radius();
   std::vector<std::vector<NeighbourPair>> found(blocks.size());
   parallel_for(
       blocks.size(),
       [&](std::size_t b) {
         WideList list;
-        search.find(b, list);
+        search.find(spheres, static_cast<std::uint32_t>(b), skin, skin, list);
         for (std::uint32_t i = blocks[b].first; i < blocks[b].last; ++i) {
           const Sphere& a = spheres.sphere[i];
           const std::size_t row = found[b].size();

@@ -7,11 +7,11 @@
 namespace pmr::physics {
 namespace {
 
-// A near list is to last about this many sub-steps [1]; its skin is at least this part of the wide
-// one's [1].
-constexpr double steps_of_near_list = 8.0;
-constexpr double thinnest_near_skin = 0.1;
-constexpr double rounding = 0.999;  // of bounds that are sums [1]
+// How many sub-steps lists are to last, and bounds on their skins: of the near list [1] of the wide
+// one's; of the wide list and the horizon [1] of the thinnest wide skin.
+constexpr double steps_of_near_list = 8.0, thinnest_near_skin = 0.1;
+constexpr double steps_of_wide_list = 50.0, thickest_wide_skin = 5.0;
+constexpr double steps_of_horizon = 100.0, farthest_horizon = 40.0;
 
 void copy_entry(const ContactHistory& from, std::uint32_t k, ContactHistory& to) {
   to.partner.push_back(from.partner[k]);
@@ -78,45 +78,51 @@ PairContacts::PairContacts(const ContactLaws& laws)
       species_(static_cast<std::uint32_t>(laws.species())),
       kernel_(best_pair_kernel()) {}
 
-void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks,
+                        std::span<const VelocityRange> ranges, double dt, double skin,
                         const ContactHistory& history) {
-  skin_ = skin;
+  search_ = WideSearch(spheres, blocks);
+  thinnest_ = skin;
+  VelocityRange all;
+  for (const VelocityRange& range : ranges) all.include(range);
   lists_.assign(blocks.size(), {});  // nothing of an earlier call may live on
-  const WideSearch search(spheres, blocks, skin);
   parallel_for(
       blocks.size(),
       [&](std::size_t b) {
         Lists& lists = lists_[b];
         lists.block = blocks[b];
-        search.find(b, lists.wide);
-        thin_out(lists, spheres, remembered(lists, spheres, history));
-      },
-      1);
-}
-
-void PairContacts::refresh(const Spheres& spheres, const std::vector<Block>& blocks, double skin) {
-  skin_ = skin;
-  const WideSearch search(spheres, blocks, skin);
-  parallel_for(
-      blocks.size(),
-      [&](std::size_t b) {
-        Lists& lists = lists_[b];
-        const Remembered springs = remembered(lists);
-        search.find(b, lists.wide);
-        thin_out(lists, spheres, springs);
+        const double closer = ranges[b].spread() * dt;
+        search(lists, spheres, closer, all.spread() * dt);
+        thin_out(lists, spheres, closer, remembered(lists, spheres, history));
       },
       1);
 }
 
 void PairContacts::follow(std::size_t b, const Spheres& spheres,
-                          std::span<const VelocityRange> ranges, double dt) {
+                          std::span<const VelocityRange> ranges, double spread, double dt) {
   Lists& lists = lists_[b];
-  VelocityRange range;
-  for (const std::uint32_t c : lists.wide.neighbours) range.include(ranges[c]);
-  lists.closer = range.spread() * dt;
-  lists.gone += lists.closer;
-  if (lists.gone <= rounding * lists.skin || lists.skin == skin_) return;
-  thin_out(lists, spheres, remembered(lists));
+  VelocityRange around;
+  for (const std::uint32_t c : lists.wide.neighbours) around.include(ranges[c]);
+  const double closer = around.spread() * dt, far_closer = spread * dt;
+  const bool wide_ends = lists.wide_term.ends_with(closer);
+  const bool horizon_ends = lists.horizon.ends_with(far_closer);
+  const bool near_ends =
+      lists.near_term.ends_with(closer) && lists.near_term.reach < lists.wide_term.reach;
+  if (!wide_ends && !horizon_ends && !near_ends) return;
+  const Remembered springs = remembered(lists);
+  if (wide_ends || horizon_ends) search(lists, spheres, closer, far_closer);
+  thin_out(lists, spheres, closer, springs);
+}
+
+void PairContacts::search(Lists& lists, const Spheres& spheres, double closer,
+                          double far_closer) const {
+  const double skin =
+      std::clamp(steps_of_wide_list * closer, thinnest_, thickest_wide_skin * thinnest_);
+  const double horizon =
+      std::clamp(steps_of_horizon * far_closer, skin, farthest_horizon * thinnest_);
+  search_.find(spheres, lists.block.number, skin, horizon, lists.wide);
+  lists.wide_term = {skin};
+  lists.horizon = {horizon};
 }
 
 ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
@@ -136,16 +142,18 @@ ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, doub
 
 // Groups hold pairs of one law; those that touch stand before the others, so that groups touch or
 // not as a whole.
-void PairContacts::thin_out(Lists& lists, const Spheres& s, const Remembered& springs) const {
-  lists.skin = std::clamp(steps_of_near_list * lists.closer, thinnest_near_skin * skin_, skin_);
-  lists.gone = 0.0;
+void PairContacts::thin_out(Lists& lists, const Spheres& s, double closer,
+                            const Remembered& springs) const {
+  const double skin = std::clamp(steps_of_near_list * closer, thinnest_near_skin * thinnest_,
+                                 lists.wide_term.reach);
+  lists.near_term = {skin};
   PairsByLaw touching(laws_.size()), others(laws_.size());
   for (std::uint32_t row = 0; row < lists.block.size(); ++row) {
     const std::uint32_t i = lists.block.first + row;
     const Sphere& a = s.sphere[i];
     for (const std::uint32_t j : lists.wide.row(row)) {
       const Sphere& b = s.sphere[j];
-      const double sum = a.radius + b.radius, reach = sum + lists.skin;
+      const double sum = a.radius + b.radius, reach = sum + skin;
       const double squared = (a.position - b.position).squaredNorm();
       if (squared >= reach * reach) continue;
       const auto [low, high] = std::minmax(s.label[i].species, s.label[j].species);

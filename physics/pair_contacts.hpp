@@ -5,10 +5,10 @@
 // bits, each block adding up the loads of its own particles. Blocks therefore need nothing of each
 // other within a sub-step, and no sum depends on threads.
 //
-// There are two lists, as in molecular dynamics codes: the wide one, searched anew when any two
-// particles may have come closer by its skin; and per block the near one of those pairs that may
-// touch within a few sub-steps, thinned out from the wide one when the block and its neighbours
-// have moved. Only near pairs carry springs and are evaluated.
+// There are two lists, as in molecular dynamics codes: the wide one of all pairs closer than a
+// skin, and the near one of those pairs that may touch within a few sub-steps, thinned out from it.
+// Only near pairs carry springs and are evaluated. Each block renews both by itself, when its
+// particles and those of the blocks around it may have come closer by the list's skin.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -27,33 +27,38 @@ class PairContacts {
  public:
   explicit PairContacts(const ContactLaws& laws);
 
-  // Lists all pairs whose surfaces are closer than `skin` [m], with the springs of `history`.
-  void open(const Spheres& spheres, const std::vector<Block>& blocks, double skin,
+  // Lists the pairs of all blocks, with the springs of `history`. Wide skins are at least `skin`
+  // [m]; `ranges` [blocks] of velocities and dt [s] say how soon lists will end.
+  void open(const Spheres& spheres, const std::vector<Block>& blocks,
+            std::span<const VelocityRange> ranges, double dt, double skin,
             const ContactHistory& history);
-
-  // The same anew for particles that have moved since, with the springs that they have now.
-  void refresh(const Spheres& spheres, const std::vector<Block>& blocks, double skin);
 
   // Springs of the touching pairs, rows in the particles' order.
   ContactHistory history(const Spheres& spheres) const;
 
-  // To be called after every drift by dt [s], velocities of which were in `ranges` [blocks]: keeps
-  // block b's near list such that it holds all of its touching pairs.
+  // To be called after every drift by dt [s], velocities of which were in `ranges` [blocks] and
+  // differed by `spread` [m/s] at most: keeps block b's near list such that it holds all of its
+  // touching pairs.
   void follow(std::size_t b, const Spheres& spheres, std::span<const VelocityRange> ranges,
-              double dt);
+              double spread, double dt);
 
   // Adds the forces of block b's touching pairs to the loads of its particles; moves the springs
   // by dt [s].
   ContactBook add_forces(std::size_t b, const Spheres& spheres, double dt, std::span<Load> loads);
 
  private:
+  // Holds while bounds on how much closer its pairs have come stay below a reach.
+  struct Term {
+    double reach = 0.0, gone = 0.0;                                             // [m]
+    bool ends_with(double closer) { return (gone += closer) > 0.999 * reach; }  // sums round
+  };
   struct Lists {
     Block block;
     WideList wide;
-    std::vector<PairGroup> near;  // all groups but the last are full
-    double skin = 0.0;            // [m] of the near list
-    double gone = 0.0;            // [m] bound on how much closer its pairs have come since
-    double closer = 0.0;          // [m] likewise in the last drift
+    std::vector<PairGroup> near;  // all groups but the last of a law are full
+    Term near_term;               // reach: the near list's skin
+    Term wide_term;               // the wide list's; for pairs with blocks within the horizon
+    Term horizon;                 // for pairs with all other blocks
   };
   struct Remembered;  // springs of touching pairs, in rows of the block's particles
   struct ListedPair {
@@ -65,14 +70,17 @@ class PairContacts {
   Remembered remembered(const Lists& lists) const;
   Remembered remembered(const Lists& lists, const Spheres& spheres,
                         const ContactHistory& history) const;
-  void thin_out(Lists& lists, const Spheres& spheres, const Remembered& springs) const;
+  void search(Lists& lists, const Spheres& spheres, double closer, double far_closer) const;
+  void thin_out(Lists& lists, const Spheres& spheres, double closer,
+                const Remembered& springs) const;
   static void append(Lists& lists, const Remembered& springs, std::uint32_t law,
                      std::span<const ListedPair> pairs);
 
   std::vector<ContactLaw> laws_;  // [species * species]
   std::uint32_t species_;
   PairKernel kernel_;
-  double skin_ = 0.0;  // [m] of the wide lists
+  WideSearch search_;
+  double thinnest_ = 0.0;  // [m] skin of a wide list
   std::vector<Lists> lists_;
 };
 

@@ -15,7 +15,10 @@ struct Side {
 
 [[gnu::always_inline]] inline void gather_spheres(const PairWork& work, const std::uint32_t* index,
                                                   Side& side) {
-  gather([&](std::size_t l) { return work.sphere + index[l] / 2; }, side.sphere);
+  // a sphere's index times index_step is half its place: counted in halves of a double
+  const auto* const halves = reinterpret_cast<const float*>(work.sphere);
+  gather([&](std::size_t l) { return reinterpret_cast<const double*>(halves + index[l]); },
+         side.sphere);
 }
 
 [[gnu::always_inline]] inline void gather_kinetics(const PairWork& work, const std::uint32_t* index,
@@ -94,14 +97,16 @@ struct Sums {
   const Lanes distance = sqrt(squared);
   const Lanes overlap = max(sum - distance, zero);  // rounding may deny what the squares say
   const Lanes arm_i = radius_i - half * overlap, arm_j = radius_j - half * overlap;
-  const Touch<Lanes> touch{(one / distance) * d,
+  const Lanes inverse_mass = a.motion[3] + b.motion[3];
+  const Lanes product = one / (distance * sum * inverse_mass);  // one division for three
+  const Touch<Lanes> touch{product * sum * inverse_mass * d,
                            overlap,
                            vector(a.motion) - vector(b.motion),
                            arm_i * vector(a.spin) + arm_j * vector(b.spin),
                            vector(a.spin) - vector(b.spin),
                            one,
-                           radius_i * radius_j / sum,
-                           a.motion[3] + b.motion[3]};
+                           radius_i * radius_j * (product * distance * inverse_mass),
+                           product * distance * sum};
   Springs<Lanes> springs{load_vector(group.tangential, from), load_vector(group.rolling, from)};
   const ContactForce<Lanes> f = evaluate(law, touch, Lanes{work.dt}, springs);
   store_vector(group.tangential, from, touches, springs.tangential);
@@ -122,8 +127,10 @@ struct Sums {
   });
   const Mask counts = touches & mask(bits_of(group.own_i));
   store(sums.elastic + from, load(sums.elastic + from) + select(counts, f.elastic, zero));
-  sums.overlap_ratio =
-      max(sums.overlap_ratio, select(touches, overlap / min(radius_i, radius_j), zero));
+  const Lanes smaller = min(radius_i, radius_j);
+  const Mask is_deepest = (overlap > sums.overlap_ratio * smaller) & touches;
+  if (any(is_deepest))
+    sums.overlap_ratio = select(is_deepest, overlap / smaller, sums.overlap_ratio);
   return touching;
 }
 

@@ -1,5 +1,7 @@
 #include "physics/spheres.hpp"
 
+#include <algorithm>
+
 namespace pmr::physics {
 
 Spheres gather_spheres(const Particles& p) {
@@ -17,6 +19,29 @@ Spheres gather_spheres(const Particles& p) {
     s.load[i] = {p.force[i], 0.0, p.torque[i], 0.0};
   }
   return s;
+}
+
+void Places::resize(std::size_t particles, std::size_t blocks) {
+  sphere.resize(particles);
+  kinetics.resize(particles);
+  block_box.resize(blocks);
+  run_box.resize((particles + run_length - 1) / run_length);
+}
+
+void bound(Spheres& s, const std::vector<Block>& blocks) {
+  s.Places::resize(s.size(), blocks.size());
+  const auto box_of = [&](std::size_t first, std::size_t last) {
+    Box box{s.sphere[first].position, s.sphere[first].position};
+    for (std::size_t i = first; i < last; ++i) {
+      box.low = box.low.cwiseMin(s.sphere[i].position);
+      box.high = box.high.cwiseMax(s.sphere[i].position);
+    }
+    return box;
+  };
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    s.block_box[b] = box_of(blocks[b].first, blocks[b].last);
+  for (std::size_t r = 0; r < s.run_box.size(); ++r)
+    s.run_box[r] = box_of(r * run_length, std::min(s.size(), (r + 1) * run_length));
 }
 
 void put_back(const Spheres& s, Particles& p) {

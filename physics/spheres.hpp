@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/blocks.hpp"
+#include "physics/shapes.hpp"
 #include "pmr/base/vec3.hpp"
 #include "pmr/state/particles.hpp"
 
@@ -37,15 +39,25 @@ struct Label {
   ParticleId id;
 };
 
-struct Spheres {
+// What changes in every sub-step.
+struct Places {
   std::vector<Sphere> sphere;
   std::vector<Kinetics> kinetics;
+  std::vector<Box> block_box;  // [blocks] of the centres [m]
+  std::vector<Box> run_box;    // [runs] likewise
+  void resize(std::size_t particles, std::size_t blocks);
+};
+
+struct Spheres : Places {
   std::vector<Label> label;
   std::vector<Load> load;  // at the borders of Mechanics::advance only
   std::size_t size() const { return sphere.size(); }
 };
 
 Spheres gather_spheres(const Particles& particles);
+// Sets the boxes to the places.
+void bound(Spheres& spheres, const std::vector<Block>& blocks);
+
 void put_back(const Spheres& spheres, Particles& particles);
 
 }  // namespace pmr::physics

@@ -245,7 +245,7 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Meeting& me
                             triple(u.spin - wall.spin),
                             arm / (sphere.radius - met.overlap),
                             sphere.radius,
-                            u.inverse_mass};
+                            1.0 / u.inverse_mass};
   const ContactForce<double> f = evaluate(
       laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, met.slot->springs);
   load.force += vec3(f.force);

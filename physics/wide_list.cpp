@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "physics/local_grid.hpp"
-#include "pmr/base/parallel.hpp"
 
 namespace pmr::physics {
 namespace {
+
+constexpr double outwards = 1.0 + 1e-9;  // of reaches, safe against rounding [1]
 
 Box grown(const Box& box, double by) {
   return {box.low - Vec3::Constant(by), box.high + Vec3::Constant(by)};
@@ -42,37 +43,20 @@ struct WideSearch::Candidates {
   std::vector<std::vector<std::uint32_t>> index;
 };
 
-void WideSearch::Bounds::include(const Bounds& other) {
-  box.low = box.low.cwiseMin(other.box.low);
-  box.high = box.high.cwiseMax(other.box.high);
-  largest = std::max(largest, other.largest);
-}
-
-WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks, double skin)
-    : spheres_(spheres),
-      blocks_(blocks),
-      skin_(skin),
-      bounds_(blocks.size()),
-      runs_(blocks.size()) {
-  parallel_for(
-      blocks.size(),
-      [&](std::size_t b) {
-        for (std::uint32_t i = blocks[b].first; i < blocks[b].last; ++i) {
-          if ((i - blocks[b].first) % run_length == 0) runs_[b].emplace_back();
-          const Sphere& s = spheres.sphere[i];
-          runs_[b].back().include({{s.position, s.position}, s.radius});
-        }
-        for (const Bounds& run : runs_[b]) bounds_[b].include(run);
-      },
-      1);
+WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks)
+    : blocks_(blocks), block_radius_(blocks.size(), 0.0), run_radius_(spheres.run_box.size(), 0.0) {
   if (spheres.size() == 0) return;
   smallest_ = spheres.sphere[0].radius;
   for (const Sphere& s : spheres.sphere) smallest_ = std::min(smallest_, s.radius);
-  for (const Sphere& s : spheres.sphere) {
-    const std::size_t c = class_of(s.radius);
-    if (c >= largest_.size()) largest_.resize(c + 1, 0.0);
-    largest_[c] = std::max(largest_[c], s.radius);
-  }
+  for (const Block& block : blocks)
+    for (std::uint32_t i = block.first; i < block.last; ++i) {
+      const double radius = spheres.sphere[i].radius;
+      const std::size_t c = class_of(radius);
+      if (c >= largest_.size()) largest_.resize(c + 1, 0.0);
+      for (double* most :
+           {&largest_[c], &block_radius_[block.number], &run_radius_[i / run_length]})
+        *most = std::max(*most, radius);
+    }
 }
 
 // A class spans a factor of two in radius.
@@ -80,45 +64,48 @@ std::size_t WideSearch::class_of(double radius) const {
   return radius < 2.0 * smallest_ ? 0 : static_cast<std::size_t>(std::ilogb(radius / smallest_));
 }
 
-WideSearch::Candidates WideSearch::candidates(std::size_t block, WideList& list) const {
+WideSearch::Candidates WideSearch::candidates(const Spheres& spheres, std::uint32_t block,
+                                              double skin,
+                                              const std::vector<std::uint32_t>& neighbours) const {
   Candidates found{std::vector<std::vector<Sphere>>(largest_.size()),
                    std::vector<std::vector<std::uint32_t>>(largest_.size())};
-  list.neighbours.clear();
-  const Bounds& own = bounds_[block];
-  const auto near_of = [&](const Bounds& other) {
-    return grown(own.box, (own.largest + other.largest + skin_) * (1.0 + 1e-9));
-  };
-  for (std::uint32_t c = 0; c < blocks_.size(); ++c) {
-    if (!overlap(near_of(bounds_[c]), bounds_[c].box)) continue;
-    list.neighbours.push_back(c);
-    for (std::uint32_t r = 0; r < runs_[c].size(); ++r) {
-      const Box near = near_of(runs_[c][r]);
-      if (!overlap(near, runs_[c][r].box)) continue;
+  for (const std::uint32_t c : neighbours)
+    for (std::uint32_t first = blocks_[c].first; first < blocks_[c].last; first += run_length) {
+      const std::size_t run = first / run_length;
+      const Box near = grown(spheres.block_box[block],
+                             (block_radius_[block] + run_radius_[run] + skin) * outwards);
+      if (!overlap(near, spheres.run_box[run])) continue;
       const FastBox box(near);
-      const std::uint32_t first = blocks_[c].first + r * run_length;
-      for (std::uint32_t j = first; j < std::min(first + run_length, blocks_[c].last); ++j) {
-        const Sphere& s = spheres_.sphere[j];
+      const std::uint32_t last = std::min<std::uint32_t>(first + run_length, blocks_[c].last);
+      for (std::uint32_t j = first; j < last; ++j) {
+        const Sphere& s = spheres.sphere[j];
         if (!box.holds(s)) continue;
         const std::size_t size = class_of(s.radius);
         found.sphere[size].push_back(s);
         found.index[size].push_back(j);
       }
     }
-  }
   return found;
 }
 
-void WideSearch::find(std::size_t b, WideList& list) const {
-  const Block& block = blocks_[b];
-  const Candidates near = candidates(b, list);
+void WideSearch::find(const Spheres& spheres, std::uint32_t b, double skin, double horizon,
+                      WideList& list) const {
+  list.neighbours.clear();
+  for (std::uint32_t c = 0; c < blocks_.size(); ++c) {
+    const double reach = (block_radius_[b] + block_radius_[c] + horizon) * outwards;
+    if (overlap(grown(spheres.block_box[b], reach), spheres.block_box[c]))
+      list.neighbours.push_back(c);
+  }
+  const Candidates near = candidates(spheres, b, skin, list.neighbours);
   std::vector<LocalGrid> grids;
   for (std::size_t c = 0; c < largest_.size(); ++c)
-    grids.emplace_back(near.sphere[c], near.index[c], 2.0 * largest_[c] + 0.5 * skin_);
+    grids.emplace_back(near.sphere[c], near.index[c], 2.0 * largest_[c] + 0.5 * skin);
+  const Block& block = blocks_[b];
   list.start.assign(block.size() + 1, 0);
   list.partner.clear();
   for (std::uint32_t i = block.first; i < block.last; ++i) {
     const auto row = static_cast<std::ptrdiff_t>(list.partner.size());
-    for (const LocalGrid& grid : grids) grid.append_near(spheres_.sphere[i], skin_, list.partner);
+    for (const LocalGrid& grid : grids) grid.append_near(spheres.sphere[i], skin, list.partner);
     const auto is_elsewhere = [&](std::uint32_t j) { return j == i || (block.holds(j) && j < i); };
     list.partner.erase(std::remove_if(list.partner.begin() + row, list.partner.end(), is_elsewhere),
                        list.partner.end());

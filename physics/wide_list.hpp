@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "physics/blocks.hpp"
-#include "physics/shapes.hpp"
 #include "physics/spheres.hpp"
 
 namespace pmr::physics {
@@ -16,37 +15,35 @@ struct WideList {
   std::span<const std::uint32_t> row(std::uint32_t own) const {
     return {&partner[start[own]], start[own + 1] - start[own]};
   }
-  std::vector<std::uint32_t> neighbours;  // blocks that may hold partners, itself among them
+  std::vector<std::uint32_t> neighbours;  // blocks within the horizon, itself among them
 };
 
-// Searches block by block: particles of the blocks whose boxes come near are binned into one local
-// grid per class of size, so that empty space costs nothing and small particles are not searched
-// for with the reach of large ones (the hierarchical grid of Ogarko and Luding, Comput. Phys.
-// Commun. 183 (2012) 931). Const after construction: blocks may be searched concurrently.
+// Searches one block: particles of the runs whose boxes come near are binned into a local grid per
+// class of size, so that empty space costs nothing and small particles are not searched for with
+// the reach of large ones (the hierarchical grid of Ogarko and Luding, Comput. Phys. Commun. 183
+// (2012) 931). Blocks may be searched concurrently.
 class WideSearch {
  public:
-  WideSearch(const Spheres& spheres, const std::vector<Block>& blocks, double skin);  // skin [m]
-  void find(std::size_t block, WideList& list) const;
+  WideSearch() = default;
+  WideSearch(const Spheres& spheres, const std::vector<Block>& blocks);  // radii are kept
+
+  // Pairs of the block with surfaces closer than `skin` [m] as the spheres and their boxes stand;
+  // neighbours are the blocks with boxes (of whole spheres) closer than `horizon` >= skin [m].
+  void find(const Spheres& spheres, std::uint32_t block, double skin, double horizon,
+            WideList& list) const;
+
+  double largest_radius() const { return largest_.empty() ? 0.0 : largest_.back(); }  // [m]
 
  private:
   struct Candidates;
   std::size_t class_of(double radius) const;
-  Candidates candidates(std::size_t block, WideList& list) const;
+  Candidates candidates(const Spheres& spheres, std::uint32_t block, double skin,
+                        const std::vector<std::uint32_t>& neighbours) const;
 
-  const Spheres& spheres_;
-  const std::vector<Block>& blocks_;
-  double skin_;                  // [m]
-  double smallest_ = 0.0;        // [m] radius
-  std::vector<double> largest_;  // [classes] radius [m]
-  // Bounds of a few particles that stand behind each other.
-  struct Bounds {
-    Box box{Vec3::Constant(1e300), Vec3::Constant(-1e300)};  // of the centres [m]
-    double largest = 0.0;                                    // radius [m]
-    void include(const Bounds& other);
-  };
-  static constexpr std::uint32_t run_length = 32;  // [particles] of a run
-  std::vector<Bounds> bounds_;                     // [blocks]
-  std::vector<std::vector<Bounds>> runs_;          // [blocks][runs]
+  std::vector<Block> blocks_;
+  std::vector<double> block_radius_, run_radius_;  // [m] largest in each
+  std::vector<double> largest_;                    // [classes] radius [m]
+  double smallest_ = 0.0;                          // [m] radius
 };
 
 }  // namespace pmr::physics
