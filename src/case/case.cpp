@@ -44,6 +44,8 @@ bool make_files_absolute(Node& root, const fs::path& base_dir) {
   if (Node* walls = child(root, "walls"); walls != nullptr)
     for (auto& [name, wall] : walls->members)
       changed |= make_absolute(child(wall, "file"), base_dir);
+  if (Node* tool = child(root, "decomposition"); tool != nullptr)
+    changed |= make_absolute(child(*tool, "reference"), base_dir);
   return changed;
 }
 
@@ -110,7 +112,7 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   made.mix = read_mix(root);
   made.react = read_react(root);
   made.chamber = read_chamber(root, rig, rig_is_faulty);
-  made.decomposition = read_decomposition(root);
+  made.decomposition = read_decomposition(root, base_dir);
   made.thermocouples = read_thermocouples(root);
   made.output = read_output(root);
   made.materials = book.finish(made.models);

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 
+#include "case/csv_text.hpp"
 #include "case/nearest.hpp"
 
 namespace pmr::casefile {
@@ -24,22 +23,6 @@ Dimension dimension_of(const std::string& column) {
   if (column.size() == 1 || column == "radius") return Dimension::length;
   if (column == "temperature") return Dimension::temperature;
   return column[0] == 'v' ? Dimension::speed : Dimension::spin;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1) {
-    comma = line.find(',', begin);
-    cells.push_back(trimmed(line.substr(begin, comma - begin)));
-  }
-  return cells;
 }
 
 class Sheet {
@@ -79,21 +62,19 @@ class Sheet {
   }
 
   Column read_column(const std::string& cell) {
-    const std::size_t bracket = cell.find('[');
-    Column column{trimmed(cell.substr(0, bracket))};
+    const Heading heading = heading_of(cell);
+    Column column{heading.name};
     if (std::find(known_columns.begin(), known_columns.end(), column.name) == known_columns.end()) {
       fault(1, column.name, unknown_word("column", column.name, known_columns));
       return column;
     }
     if (column.name == "species") return column;
-    const std::size_t end = cell.find(']');
-    if (bracket == std::string::npos || end == std::string::npos) {
+    if (!heading.unit) {
       fault(1, column.name, "has no unit; wanted such as 'x [mm]'");
       return column;
     }
-    const std::string unit = cell.substr(bracket + 1, end - bracket - 1);
     const Dimension dimension = dimension_of(column.name);
-    const Quantities ends = reading_.units.parse("0 1 " + unit, dimension);
+    const Quantities ends = reading_.units.parse("0 1 " + *heading.unit, dimension);
     if (!ends.problem.empty()) {
       fault(1, column.name, ends.problem);
       return column;
@@ -104,11 +85,9 @@ class Sheet {
   }
 
   double read_number(unsigned line, const Column& column, const std::string& cell) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-    if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(number))
-      fault(line, column.name, fmt::format("'{}' is no finite number", cell));
-    const double value = column.offset + column.factor * number;
+    const std::optional<double> number = finite_number(cell);
+    if (!number) fault(line, column.name, fmt::format("'{}' is no finite number", cell));
+    const double value = column.offset + column.factor * number.value_or(0.0);
     if ((column.name == "radius" || column.name == "temperature") && !(value > 0.0))
       fault(line, column.name, fmt::format("'{}' is out of range; wanted above zero", cell));
     return value;

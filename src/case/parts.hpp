@@ -22,7 +22,7 @@ void count_explicit(Table& root, Case& made);
 std::optional<FillPhase> read_fill(Table& root);
 std::optional<MixPhase> read_mix(Table& root);
 std::optional<ReactPhase> read_react(Table& root);
-std::optional<Decomposition> read_decomposition(Table& root);
+std::optional<Decomposition> read_decomposition(Table& root, const std::filesystem::path& base_dir);
 std::vector<Thermocouple> read_thermocouples(Table& root);
 OutputCase read_output(Table& root);
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "case/parts.hpp"
+#include "case/reference.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
@@ -48,7 +49,8 @@ std::optional<ReactPhase> read_react(Table& root) {
   return react;
 }
 
-std::optional<Decomposition> read_decomposition(Table& root) {
+std::optional<Decomposition> read_decomposition(Table& root,
+                                                const std::filesystem::path& base_dir) {
   const Node* node = root.look_table("decomposition");
   if (node == nullptr) return std::nullopt;
   Table table(root.reading(), *node, "decomposition");
@@ -59,11 +61,11 @@ std::optional<Decomposition> read_decomposition(Table& root) {
   const double sum = std::accumulate(tool.layer_fraction.begin(), tool.layer_fraction.end(), 0.0);
   if (sum > 1.0) table.fault("layer_fraction", fmt::format("adds up to {}, more than 1", sum));
   tool.sectors = static_cast<std::uint32_t>(table.count("sectors", 1));
-  tool.reference_mass_ratio = table.values("reference_mass_ratio", a_positive_number, {});
-  const std::size_t references = tool.reference_mass_ratio.size();
-  if (references != 0 && references != tool.layer_fraction.size())
-    table.fault("reference_mass_ratio", "wanted one for each layer");
   tool.reference_source = table.word_or("reference_source", "");
+  const std::string reference = table.word_or("reference", "");
+  const bool is_whole = !tool.layer_fraction.empty() && tool.sectors > 0;
+  if (!reference.empty() && is_whole)
+    tool.reference = read_reference_csv(root.reading(), base_dir / reference, tool);
   return tool;
 }
 

@@ -24,6 +24,7 @@ struct Parser {
   RenderOptions render_options;
   std::vector<std::filesystem::path> folders;
   std::filesystem::path html;
+  report::ReportWishes wishes;
   bool json = false;
   std::function<int()> action;
 
@@ -65,15 +66,28 @@ struct Parser {
         [this] { action = [this] { return check(run_options.case_file, run_options.sets); }; });
   }
 
+  void add_reference(CLI::App* verb) {
+    verb->add_option("--reference", wishes.reference,
+                     "CSV of mass ratios to compare the bed with [the case's]");
+  }
+
   void add_looks() {
     auto* analyse_verb = app.add_subcommand("analyse", "read the instruments again on a run");
     analyse_verb->add_option("DIR", run_options.folder, "run folder")->required();
-    analyse_verb->callback([this] { action = [this] { return analyse(run_options.folder); }; });
+    add_reference(analyse_verb);
+    analyse_verb->callback(
+        [this] { action = [this] { return analyse(run_options.folder, wishes.reference); }; });
 
     auto* report_verb = app.add_subcommand("report", "one HTML page of one run, or of several");
     report_verb->add_option("DIR", folders, "run folders")->required();
     report_verb->add_option("-o,--output", html, "HTML file [DIR/report.html]");
-    report_verb->callback([this] { action = [this] { return report(folders, html); }; });
+    add_reference(report_verb);
+    report_verb
+        ->add_option("--frames", wishes.frame_times,
+                     "times in s of the frames of the mixing, such as 0.2,0.4,0.6 [six until rest]")
+        ->delimiter(',')
+        ->expected(1);
+    report_verb->callback([this] { action = [this] { return report(folders, html, wishes); }; });
 
     auto* render_verb = app.add_subcommand("render", "a picture of the bed, cut open");
     render_verb->add_option("DIR", render_options.folder, "run folder")->required();

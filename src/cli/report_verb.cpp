@@ -4,8 +4,10 @@
 #include <cstdio>
 
 #include "case/case.hpp"
+#include "case/reference.hpp"
 #include "cli/console.hpp"
 #include "cli/machine.hpp"
+#include "cli/mixture_print.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/nodes.hpp"
 #include "instruments/course.hpp"
@@ -19,9 +21,10 @@ namespace pmr::cli {
 
 namespace fs = std::filesystem;
 
-int report(const std::vector<fs::path>& folders, fs::path html) {
+int report(const std::vector<fs::path>& folders, fs::path html,
+           const report::ReportWishes& wishes) {
   if (html.empty()) html = folders.size() == 1 ? folders.front() / "report.html" : "compare.html";
-  report::write_report(folders, html);
+  report::write_report(folders, html, wishes);
   fmt::print("{}\n", html.string());
   return done;
 }
@@ -35,9 +38,10 @@ int render(const RenderOptions& options) {
   return done;
 }
 
-int analyse(const fs::path& folder) {
+int analyse(const fs::path& folder, const fs::path& reference) {
   const io::RunHeader header = io::read_header(folder);
-  const Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  if (!reference.empty()) casefile::set_reference(c, reference, folder.string());
   const State state = io::load_checkpoint(folder);
   instruments::write_instruments(folder, c, io::read_series(folder), state.particles);
   auto provenance = header.provenance;
@@ -46,6 +50,7 @@ int analyse(const fs::path& folder) {
   sim::write_summary(folder / "instruments",
                      {c, state, coupling::number_nodes(c, state.opening.particles), Timings{},
                       physics::time_step(c).step, status, provenance});
+  print_mixture(c, state.particles);
   fmt::print("{}\n", (folder / "instruments").string());
   return done;
 }

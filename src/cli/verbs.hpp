@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "report/report.hpp"
+
 namespace pmr::cli {
 
 struct RunOptions {
@@ -20,8 +22,10 @@ int resume(const std::filesystem::path& folder, int threads, const std::string& 
 
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& sets);
 
-int analyse(const std::filesystem::path& folder);
-int report(const std::vector<std::filesystem::path>& folders, std::filesystem::path html);
+// `reference`: CSV of mass ratios in place of the case's own; empty: its own.
+int analyse(const std::filesystem::path& folder, const std::filesystem::path& reference);
+int report(const std::vector<std::filesystem::path>& folders, std::filesystem::path html,
+           const report::ReportWishes& wishes);
 
 struct RenderOptions {
   std::filesystem::path folder, png;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "instruments/section_ratios.hpp"
 #include "io/series.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
@@ -45,9 +46,10 @@ void write_selection(const std::filesystem::path& path, const io::Series& series
   if (chosen.columns.size() > 1) io::write_csv(path, chosen);
 }
 
-double reference_ratio(const Decomposition& tool, std::size_t layer) {
-  return layer < tool.reference_mass_ratio.size() ? tool.reference_mass_ratio[layer]
-                                                  : std::numeric_limits<double>::quiet_NaN();
+// A column of ratios; rows beyond its values get NaN.
+void add_column(io::Series& table, const char* name, std::vector<double> values) {
+  values.resize(table.rows(), std::numeric_limits<double>::quiet_NaN());
+  table.columns.push_back({name, "1", std::move(values)});
 }
 
 std::filesystem::path make_folder(const std::filesystem::path& dir) {
@@ -73,16 +75,21 @@ io::Series layer_table(const BedSections& sections, const Decomposition& tool) {
                      {"top", "m"},
                      {"mass_ratio", "1"},
                      {"sector_mean_ratio", "1"},
-                     {"reference_mass_ratio", "1"}});
+                     {"left_right_asymmetry", "1"}});
   std::vector<Layer> layers = sections.layers;
   layers.push_back(sections.residuum);
-  for (std::size_t k = 0; k < layers.size(); ++k) {
-    const Layer& layer = layers[k];
-    table.add_row({static_cast<double>(k + 1), layer.mass, layer.thickness(), layer.top,
-                   layer.content.mass_ratio(), layer.sector_mean_ratio(),
-                   reference_ratio(tool, k)});
+  const SectionRatios ratios = section_ratios({layers, {}});
+  const Asymmetry asymmetry = left_right_asymmetry(ratios);
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    table.add_row({static_cast<double>(k + 1), layers[k].mass, layers[k].thickness(), layers[k].top,
+                   layers[k].content.mass_ratio(), sector_mean(ratios[k]), asymmetry.layers[k]});
+  io::Series result = table.take();
+  if (tool.reference) {
+    const Deviation from = deviation(section_ratios(sections), *tool.reference);
+    add_column(result, "reference_mass_ratio", tool.reference->layers);
+    add_column(result, "deviation", from.layers);
   }
-  return table.take();
+  return result;
 }
 
 io::Series section_table(const BedSections& sections, const Decomposition& tool) {

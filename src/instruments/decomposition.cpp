@@ -74,31 +74,6 @@ double cut_height(const Particles& bed, const std::vector<std::size_t>& order, s
   return 0.5 * (below + bed.position[order[place - 1]].z() - floor.z());
 }
 
-double deviation(const std::vector<Layer>& layers, const std::vector<double>& reference) {
-  if (reference.empty()) return nan;
-  ensure(reference.size() == layers.size(), "the reference has a mass ratio for each layer");
-  double sum = 0.0;
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    sum += std::abs(1.0 - layers[k].sector_mean_ratio() / reference[k]);
-  return sum / static_cast<double>(layers.size());
-}
-
-double asymmetry(const std::vector<Layer>& layers) {
-  double sum = 0.0;
-  std::size_t pairs = 0;
-  for (const Layer& layer : layers) {
-    const std::size_t n = layer.sectors.size();
-    for (std::size_t k = 1; 2 * k < n; ++k) {
-      const double w = layer.sectors[k].mass_ratio();
-      const double mirrored = layer.sectors[n - k].mass_ratio();
-      if (!std::isfinite(w) || !std::isfinite(mirrored)) continue;
-      ++pairs;
-      if (w != mirrored) sum += std::abs(w - mirrored) / (0.5 * (w + mirrored));
-    }
-  }
-  return pairs == 0 ? nan : sum / static_cast<double>(pairs);
-}
-
 }  // namespace
 
 std::optional<SpeciesPair> beads_and_granules(const Case& setup) {
@@ -118,17 +93,6 @@ std::optional<SpeciesPair> beads_and_granules(const Case& setup) {
 double Portion::mass_ratio() const {
   if (granule_mass > 0.0) return bead_mass / granule_mass;
   return bead_mass > 0.0 ? std::numeric_limits<double>::infinity() : nan;
-}
-
-double Layer::sector_mean_ratio() const {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const Portion& sector : sectors)
-    if (sector.granule_mass > 0.0) {
-      sum += sector.mass_ratio();
-      ++count;
-    }
-  return count == 0 ? nan : sum / static_cast<double>(count);
 }
 
 BedSections decompose(const Particles& bed, const Decomposition& tool, SpeciesPair pair) {
@@ -152,9 +116,7 @@ BedSections decompose(const Particles& bed, const Decomposition& tool, SpeciesPa
   }
   const Layer residuum = layers.back();
   layers.pop_back();
-  const double relative = deviation(layers, tool.reference_mass_ratio);
-  const double sides = asymmetry(layers);
-  return {std::move(layers), residuum, relative, sides};
+  return {std::move(layers), residuum};
 }
 
 double sector_azimuth(const Decomposition& tool, std::size_t sector) {

@@ -39,18 +39,11 @@ struct Layer {
   double top = 0.0, bottom = 0.0;                    // [m] heights of the cuts above the axis point
   std::vector<Portion> sectors;                      // by azimuth, the first at the ramp
   double thickness() const { return top - bottom; }  // [m]
-  // Mean w over the sectors that hold granules [1], as the study averages; NaN without any.
-  double sector_mean_ratio() const;
 };
 
 struct BedSections {
   std::vector<Layer> layers;  // from the top
   Layer residuum;             // down to the floor
-  // Mean over the layers of |1 - w / w_reference| [1], w the sectors' mean; NaN without reference.
-  double mean_relative_deviation;
-  // Mean over pairs of sections opposite about the ramp's plane of |w - w'| / ((w + w') / 2) [1];
-  // pairs in which a section holds no granules are left out, NaN when none is left.
-  double left_right_asymmetry;
 };
 
 // Cuts so that each layer holds its fraction of the bed's mass to within half a particle. The top

@@ -118,36 +118,6 @@ std::vector<const RunData*> pointers(const std::vector<RunData>& runs) {
   return all;
 }
 
-std::string layers_table(const std::vector<RunData>& runs) {
-  std::size_t layers = 0;
-  for (const RunData& run : runs)
-    layers = std::max(layers, run.summary.items("homogeneity/layers").size());
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t k = 0; k < layers; ++k) {
-    std::vector<double> ratios;
-    for (const RunData& run : runs) {
-      const auto& all = run.summary.items("homogeneity/layers");
-      ratios.push_back(k < all.size() ? all[k].number("mass_ratio") : std::nan(""));
-    }
-    rows.push_back(compared(std::to_string(k + 1), Quantity::ratio, ratios, true));
-  }
-  return table(heads(runs, "layer, w"), rows, "class=\"numbers compare\"");
-}
-
-Section compared_mixture(const std::vector<RunData>& runs, Charts& charts) {
-  if (std::none_of(runs.begin(), runs.end(), has_layers))
-    return {"mixture", "Mixture", absent("No mixture: no bed was taken apart in these cases.")};
-  std::string html = element("div", layer_chart(pointers(runs), charts) + layers_table(runs));
-  std::string maps;
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    maps += unrolled_chart(runs[r], "unrolled" + std::to_string(r + 1),
-                           "The bed unrolled, " + runs[r].name, charts);
-  html = element("div", html + element("div", maps), "class=\"charts\"");
-  for (const RunData& run : runs)
-    if (is_demonstrator(run)) html += against_measurement(run);
-  return {"mixture", "Mixture", html};
-}
-
 Section compared_books(const std::vector<RunData>& runs) {
   struct Path {
     const char* key;
@@ -216,7 +186,7 @@ std::string comparison_page(const std::vector<RunData>& runs) {
   std::vector<std::string> names;
   for (const RunData& run : runs) names.push_back(run.name);
   std::vector<Section> sections{compared_answer(runs), compared_pictures(runs)};
-  sections.push_back(compared_mixture(runs, charts));
+  sections.push_back(mixture_section(pointers(runs), charts));
   sections.push_back({"course", "Course", course_charts(pointers(runs), charts)});
   sections.push_back(compared_books(runs));
   sections.push_back(compared_reproduction(runs));

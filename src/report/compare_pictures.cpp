@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "report/compare.hpp"
+#include "report/mixing_frames.hpp"
 #include "report/picture_html.hpp"
 #include "report/picture_section.hpp"
 #include "report/text.hpp"
@@ -45,9 +46,8 @@ std::string by_species(const std::deque<Scene>& scenes) {
 
 std::string by_temperature(const std::deque<Scene>& scenes, const char* title,
                            io::Snapshot Scene::*moment) {
-  std::vector<const io::Snapshot*> shown;
-  for (const Scene& s : scenes) shown.push_back(&(s.*moment));
-  const auto range = temperature_limits(shown);
+  std::optional<Limits> range;
+  for (const Scene& s : scenes) range = joined(range, temperature_limits(s.*moment));
   if (!range || range->high - range->low < 0.01) return "";
   const Limits limits = celsius_limits(*range);
   std::vector<std::string> shots;
@@ -58,14 +58,11 @@ std::string by_temperature(const std::deque<Scene>& scenes, const char* title,
 }
 
 std::string by_delta(const std::deque<Scene>& scenes) {
-  Limits all{1e30, -1e30};
-  for (const Scene& s : scenes) {
-    const auto range = s.run->reactive() ? delta_limits(s.last) : std::nullopt;
-    if (!range) continue;
-    all = {std::min(all.low, range->low), std::max(all.high, range->high)};
-  }
-  if (all.low > all.high) return absent("No pictures by δ: no reaction in these cases.");
-  const Limits limits = round_limits(all.low, all.high);
+  std::optional<Limits> all;
+  for (const Scene& s : scenes)
+    if (s.run->reactive()) all = joined(all, delta_limits(s.last));
+  if (!all) return absent("No pictures by δ: no reaction in these cases.");
+  const Limits limits = round_limits(all->low, all->high);
   std::vector<std::string> shots;
   for (const Scene& s : scenes) shots.push_back(shot(s, s.last, paint_delta(s.last, limits)));
   return strip(shots, colour_bar(ColourMap::viridis, limits, "oxygen non-stoichiometry δ [1]"),
@@ -85,8 +82,10 @@ Section compared_pictures(const std::vector<RunData>& runs) {
   if (scenes.empty())
     return {"pictures", "Pictures", absent("No pictures: these runs hold no snapshots.")};
   same_size(scenes);
+  std::vector<const RunData*> moving;
+  for (const Scene& s : scenes) moving.push_back(s.run);
   const std::string html =
-      by_species(scenes) +
+      mixing_strips(moving) + by_species(scenes) +
       by_temperature(scenes, "The beds come to rest, by temperature", &Scene::settled) +
       by_temperature(scenes, "The beds at the end, by temperature", &Scene::last) +
       by_delta(scenes);

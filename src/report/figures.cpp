@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/mixture_data.hpp"
+
 namespace pmr::report {
 namespace {
 
@@ -90,21 +92,24 @@ void add_books(Collector& c) {
 }
 
 void add_mixture(Collector& c) {
-  const auto& layers = c.run().summary.items("homogeneity/layers");
-  if (!layers.empty())
-    c.add({"top_ratio", "Mass ratio w, top layer", Quantity::ratio,
-           layers.front().number("mass_ratio"),
-           "bottom layer " + with_unit(Quantity::ratio, layers.back().number("mass_ratio"))});
+  const MixtureData mixture = mixture_of(c.run());
+  if (!mixture.layers.empty())
+    c.add({"top_ratio", "Mass ratio w, top layer", Quantity::ratio, mixture.layers.front().mean,
+           "bottom layer " + with_unit(Quantity::ratio, mixture.layers.back().mean)});
   c.add({"lacey", "Lacey mixing index", Quantity::ratio, c.number("homogeneity/lacey_index"),
          "0 apart, 1 at random"});
-  c.add({"deviation", "Mean deviation from the reference", Quantity::share,
-         c.number("homogeneity/mean_relative_deviation"), "mean |1 − w/w_ref| over layers"});
+  c.add({"asymmetry", "Left–right asymmetry of the mixture", Quantity::share,
+         mixture.asymmetry.mean, "mean over opposite sections, of their mean w"});
+  if (mixture.deviation)
+    c.add({"deviation", "Mean deviation from " + mixture.reference->name, Quantity::share,
+           mixture.deviation->mean, "mean |1 − w/w_ref| over layers"});
 }
 
 void add_mechanics(Collector& c) {
   c.add({"lost", "Particles lost", Quantity::count, c.number("mechanics/lost"),
          "of " + with_unit(Quantity::count, c.number("mechanics/particles/total")),
          below(c.number("mechanics/lost"), 0.0)});
+  c.add({"delay", "Delay between the valves", Quantity::time, release_delay(c.run()), ""});
   c.add({"settled", "Bed at rest", Quantity::time, c.run().settled_time(),
          "after the first valve's release"});
   c.add({"bed_height", "Bed height", Quantity::length, c.number("mechanics/bed_height"), ""});

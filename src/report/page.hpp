@@ -35,7 +35,6 @@ std::string absent(const std::string& reason);  // the one line instead of what 
 
 Section answer_section(const RunData& run);
 Section picture_section(const RunData& run);
-Section mixture_section(const RunData& run, Charts& charts);
 Section course_section(const RunData& run, Charts& charts);
 Section books_section(const RunData& run, Charts& charts);
 Section reproduction_section(const RunData& run);

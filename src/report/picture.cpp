@@ -87,23 +87,31 @@ View look_at_cut(const std::optional<Case>& setup) {
   return view;
 }
 
-void frame(View& view, const std::vector<const io::Snapshot*>& snapshots, double margin) {
-  Eigen::Vector2d low(1e30, 1e30), high(-1e30, -1e30);
-  for (const io::Snapshot* snapshot : snapshots)
-    for (std::size_t i = 0; i < snapshot->particles.size(); ++i) {
-      const Vec3 from = snapshot->particles.position[i] - view.middle;
-      if (from.dot(view.forward) < 0.0) continue;
-      const Eigen::Vector2d at(from.dot(view.right), from.dot(view.up));
-      const double r = snapshot->particles.radius[i];
-      low = low.cwiseMin(at - Eigen::Vector2d(r, r));
-      high = high.cwiseMax(at + Eigen::Vector2d(r, r));
-    }
+void Extent::add(const View& view, const io::Snapshot& snapshot) {
+  for (std::size_t i = 0; i < snapshot.particles.size(); ++i) {
+    const Vec3 from = snapshot.particles.position[i] - view.middle;
+    if (from.dot(view.forward) < 0.0) continue;
+    const Eigen::Vector2d at(from.dot(view.right), from.dot(view.up));
+    const double r = snapshot.particles.radius[i];
+    low = low.cwiseMin(at - Eigen::Vector2d(r, r));
+    high = high.cwiseMax(at + Eigen::Vector2d(r, r));
+  }
+}
+
+void frame(View& view, const Extent& extent, double margin) {
+  const Eigen::Vector2d &low = extent.low, &high = extent.high;
   if (low.x() > high.x()) return;
   const double rim = margin * (high - low).maxCoeff();
   const Eigen::Vector2d middle = 0.5 * (low + high);
   view.middle += middle.x() * view.right + middle.y() * view.up;
   view.width = high.x() - low.x() + 2.0 * rim;
   view.height = high.y() - low.y() + 2.0 * rim;
+}
+
+void frame(View& view, const io::Snapshot& snapshot, double margin) {
+  Extent extent;
+  extent.add(view, snapshot);
+  frame(view, extent, margin);
 }
 
 Image draw(const io::Snapshot& snapshot, const std::optional<Case>& setup, const View& view,
@@ -139,14 +147,16 @@ Paint paint_delta(const io::Snapshot& snapshot, Limits limits) {
   };
 }
 
-std::optional<Limits> temperature_limits(const std::vector<const io::Snapshot*>& snapshots) {
-  Limits limits{1e30, -1e30};
-  for (const io::Snapshot* snapshot : snapshots)
-    for (const double temperature : snapshot->particles.temperature) {
-      limits.low = std::min(limits.low, temperature);
-      limits.high = std::max(limits.high, temperature);
-    }
-  return limits.low > limits.high ? std::nullopt : std::optional(limits);
+std::optional<Limits> joined(std::optional<Limits> a, std::optional<Limits> b) {
+  if (!a || !b) return a ? a : b;
+  return Limits{std::min(a->low, b->low), std::max(a->high, b->high)};
+}
+
+std::optional<Limits> temperature_limits(const io::Snapshot& snapshot) {
+  const auto& temperature = snapshot.particles.temperature;
+  if (temperature.empty()) return std::nullopt;
+  const auto [low, high] = std::minmax_element(temperature.begin(), temperature.end());
+  return Limits{*low, *high};
 }
 
 std::optional<Limits> delta_limits(const io::Snapshot& snapshot) {

@@ -21,8 +21,14 @@ struct View {
 
 // An orthographic view along the normal of the case's cut, on nothing yet (width 0).
 View look_at_cut(const std::optional<Case>& setup);
-// Widens the view until it holds every particle that is not cut away, and a margin [1] more.
-void frame(View& view, const std::vector<const io::Snapshot*>& snapshots, double margin);
+// What the particles that are not cut away take up of the cutting plane, snapshot by snapshot.
+struct Extent {
+  Eigen::Vector2d low{1e30, 1e30}, high{-1e30, -1e30};  // [m] right of and above the view's middle
+  void add(const View& view, const io::Snapshot& snapshot);
+};
+// Widens the view until it holds the extent and a margin [1] more.
+void frame(View& view, const Extent& extent, double margin);
+void frame(View& view, const io::Snapshot& snapshot, double margin);
 
 // Colour of a particle, by its index in the snapshot.
 using Paint = std::function<Rgb(std::size_t)>;
@@ -33,9 +39,10 @@ Paint paint_species(const io::Snapshot& snapshot);
 Paint paint_temperature(const io::Snapshot& snapshot, Limits limits);  // [K]
 Paint paint_delta(const io::Snapshot& snapshot, Limits limits);        // inert ones grey
 
-// Smallest and largest over particles of all snapshots; none without particles.
-std::optional<Limits> temperature_limits(const std::vector<const io::Snapshot*>& snapshots);
+// Smallest and largest over the particles; none without particles.
+std::optional<Limits> temperature_limits(const io::Snapshot& snapshot);
 std::optional<Limits> delta_limits(const io::Snapshot& snapshot);  // of reactive particles
+std::optional<Limits> joined(std::optional<Limits> a, std::optional<Limits> b);  // what holds both
 
 // Lines in which the walls present at time t [s] meet the cut, in pixels of a picture.
 struct Line {

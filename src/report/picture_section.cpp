@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
+#include "report/mixing_frames.hpp"
 #include "report/page.hpp"
 #include "report/picture_html.hpp"
 #include "report/text.hpp"
@@ -12,14 +12,7 @@
 namespace pmr::report {
 namespace {
 
-constexpr std::size_t frame_pixels = 300, bed_pixels = 420;  // [1] wide
-
-std::size_t nearest(const std::vector<double>& times, double t) {
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < times.size(); ++k)
-    if (std::abs(times[k] - t) < std::abs(times[best] - t)) best = k;
-  return best;
-}
+constexpr std::size_t bed_pixels = 420;  // [1] wide
 
 void make_unique(std::vector<std::size_t>& indices) {
   std::sort(indices.begin(), indices.end());
@@ -44,48 +37,33 @@ std::string delta_strip(const RunData& run, const BedPictures& bed) {
                "The bed at the end, by δ", "Inert beads are grey.");
 }
 
+// One snapshot at a time: a bed of full size takes 50 MB.
 std::string temperature_strip(const RunData& run, const BedPictures& bed) {
-  std::deque<io::Snapshot> snapshots;
-  std::vector<const io::Snapshot*> shown;
+  std::optional<Limits> range;
   for (const std::size_t index : bed.temperature_times)
-    shown.push_back(&snapshots.emplace_back(run.snapshot(index)));
-  const auto range = temperature_limits(shown);
+    range = joined(range, temperature_limits(run.snapshot(index)));
   if (!range || range->high - range->low < 0.01)
     return absent("No pictures by temperature: every particle has the same.");
   const Limits limits = celsius_limits(*range);
   std::vector<std::string> shots;
-  for (const io::Snapshot* snapshot : shown)
-    shots.push_back(shot_html({*snapshot, run.setup, bed.view, bed_pixels, ""},
-                              paint_temperature(*snapshot, kelvin(limits))));
+  for (const std::size_t index : bed.temperature_times) {
+    const io::Snapshot snapshot = run.snapshot(index);
+    shots.push_back(shot_html({snapshot, run.setup, bed.view, bed_pixels, ""},
+                              paint_temperature(snapshot, kelvin(limits))));
+  }
   return strip(shots, colour_bar(ColourMap::inferno, limits, "temperature [°C]"),
                "The bed by temperature", "The same colours in all pictures.");
 }
 
 std::string end_temperature_strip(const RunData& run, const BedPictures& bed) {
   const io::Snapshot last = run.snapshot(run.snapshot_times.size() - 1);
-  const auto range = temperature_limits({&last});
+  const auto range = temperature_limits(last);
   if (!range || range->high - range->low < 0.01) return "";
   const Limits limits = celsius_limits(*range);
   return strip(
       {shot_html({last, run.setup, bed.view, 560, ""}, paint_temperature(last, kelvin(limits)))},
       colour_bar(ColourMap::inferno, limits, "temperature [°C]"),
       "The bed at the end, by temperature", "On its own scale, to show the pattern.");
-}
-
-std::string mixing_strip(const RunData& run) {
-  std::deque<io::Snapshot> snapshots;
-  std::vector<const io::Snapshot*> shown;
-  for (const std::size_t index : mixing_frames(run, 6))
-    shown.push_back(&snapshots.emplace_back(run.snapshot(index)));
-  if (shown.size() < 2) return absent("No frames of the mixing: the bed did not move in this run.");
-  View view = look_at_cut(run.setup);
-  frame(view, shown, 0.03);
-  std::vector<std::string> shots;
-  for (const io::Snapshot* snapshot : shown)
-    shots.push_back(
-        shot_html({*snapshot, run.setup, view, frame_pixels, ""}, paint_species(*snapshot)));
-  return strip(shots, species_legend(run.header.species), "Frames of the mixing",
-               "Cut at the plane of symmetry: what lies before it is taken away.");
 }
 
 }  // namespace
@@ -96,19 +74,11 @@ Limits celsius_limits(Limits kelvin_range) {
 
 Limits kelvin(Limits celsius) { return {celsius.low + 273.15, celsius.high + 273.15}; }
 
-std::vector<std::size_t> mixing_frames(const RunData& run, std::size_t count) {
-  const auto& times = run.snapshot_times;
-  const double settled = run.settled_time();
-  const double end = std::isfinite(settled) ? settled : times.back();
-  std::vector<std::size_t> moving;
-  for (std::size_t k = 0; k < times.size(); ++k)
-    if (times[k] > -1e-9 && times[k] <= end + 1e-9) moving.push_back(k);
-  if (moving.empty() || times.front() > end) return {};
-  std::vector<std::size_t> frames;
-  for (std::size_t k = 0; k < count; ++k)
-    frames.push_back(moving[k * (moving.size() - 1) / (count - 1)]);
-  make_unique(frames);
-  return frames;
+std::size_t nearest(const std::vector<double>& times, double t) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (std::abs(times[k] - t) < std::abs(times[best] - t)) best = k;
+  return best;
 }
 
 BedPictures bed_pictures(const RunData& run) {
@@ -122,7 +92,7 @@ BedPictures bed_pictures(const RunData& run) {
   make_unique(bed.temperature_times);
   const io::Snapshot snapshot = run.snapshot(bed.settled);
   bed.view = look_at_cut(run.setup);
-  frame(bed.view, {&snapshot}, 0.06);
+  frame(bed.view, snapshot, 0.06);
   return bed;
 }
 
@@ -133,7 +103,7 @@ Section picture_section(const RunData& run) {
     return section;
   }
   const BedPictures bed = bed_pictures(run);
-  section.html = mixing_strip(run) + temperature_strip(run, bed);
+  section.html = mixing_strips({&run}) + temperature_strip(run, bed);
   section.html += element(
       "div", settled_strip(run, bed) + end_temperature_strip(run, bed) + delta_strip(run, bed),
       "class=\"beds\"");

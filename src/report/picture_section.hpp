@@ -14,7 +14,8 @@ struct BedPictures {
   View view{};
 };
 BedPictures bed_pictures(const RunData& run);  // needs at least one snapshot
-std::vector<std::size_t> mixing_frames(const RunData& run, std::size_t count);
+
+std::size_t nearest(const std::vector<double>& times, double t);  // index of the nearest time
 
 Limits celsius_limits(Limits kelvin_range);  // [degC] round ones round [K]
 Limits kelvin(Limits celsius);               // [K]

@@ -85,7 +85,7 @@ void burn_bar(Image& image, const Scale& scale) {
 }
 
 Image temperature_picture(const io::Snapshot& snapshot, const RunData& run, const View& view) {
-  const auto range = temperature_limits({&snapshot});
+  const auto range = temperature_limits(snapshot);
   const Limits shown = celsius_limits(range.value_or(Limits{273.15, 373.15}));
   Image image = with_foot(
       draw(snapshot, run.setup, view, picture_width, paint_temperature(snapshot, kelvin(shown))));
@@ -112,13 +112,6 @@ Image species_picture(const io::Snapshot& snapshot, const RunData& run, const Vi
   return image;
 }
 
-std::size_t nearest(const std::vector<double>& times, std::optional<double> time) {
-  std::size_t best = times.size() - 1;
-  for (std::size_t k = 0; time && k < times.size(); ++k)
-    if (std::abs(times[k] - *time) < std::abs(times[best] - *time)) best = k;
-  return best;
-}
-
 }  // namespace
 
 void render_picture(const std::filesystem::path& folder, std::optional<double> time, Colour colour,
@@ -126,9 +119,10 @@ void render_picture(const std::filesystem::path& folder, std::optional<double> t
   const RunData run = read_run(folder);
   if (run.snapshot_times.empty())
     throw CaseError({{folder.string(), "", "holds no snapshots to draw"}});
-  const io::Snapshot snapshot = run.snapshot(nearest(run.snapshot_times, time));
+  const io::Snapshot snapshot =
+      run.snapshot(nearest(run.snapshot_times, time.value_or(run.snapshot_times.back())));
   View view = look_at_cut(run.setup);
-  frame(view, {&snapshot}, 0.05);
+  frame(view, snapshot, 0.05);
   Image image = colour == Colour::temperature ? temperature_picture(snapshot, run, view)
                 : colour == Colour::delta     ? delta_picture(snapshot, run, view)
                                               : species_picture(snapshot, run, view);

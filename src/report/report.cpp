@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 
+#include "case/reference.hpp"
 #include "pmr/base/errors.hpp"
+#include "report/mixture.hpp"
 #include "report/page.hpp"
 #include "report/text.hpp"
 
@@ -28,25 +30,36 @@ void write_text(const std::string& text, const std::filesystem::path& file) {
   if (!out.flush()) throw CaseError({{file.string(), "", "cannot be written"}});
 }
 
+RunData read_as_wished(const std::filesystem::path& folder, const ReportWishes& wishes) {
+  RunData run = read_run(folder);
+  run.frame_times = wishes.frame_times;
+  if (wishes.reference.empty()) return run;
+  if (!run.setup)
+    throw CaseError({{folder.string(), "",
+                      "its case cannot be read again, so that no reference "
+                      "can be set beside it"}});
+  casefile::set_reference(*run.setup, wishes.reference, folder.string());
+  return run;
+}
+
 }  // namespace
 
 std::string report_page(const RunData& run) {
   Charts charts;
   std::vector<Section> sections{answer_section(run), picture_section(run)};
-  sections.push_back(mixture_section(run, charts));
+  sections.push_back(mixture_section({&run}, charts));
   sections.push_back(course_section(run, charts));
   sections.push_back(books_section(run, charts));
   sections.push_back(reproduction_section(run));
   return assemble(title_of(run), description_of(run), sections, charts);
 }
 
-void write_report(const std::vector<std::filesystem::path>& runs,
-                  const std::filesystem::path& html) {
+void write_report(const std::vector<std::filesystem::path>& runs, const std::filesystem::path& html,
+                  const ReportWishes& wishes) {
   ensure(!runs.empty(), "a report is written of at least one run");
-  if (runs.size() == 1) return write_text(report_page(read_run(runs.front())), html);
   std::vector<RunData> data;
-  for (const auto& folder : runs) data.push_back(read_run(folder));
-  write_text(comparison_page(data), html);
+  for (const auto& folder : runs) data.push_back(read_as_wished(folder, wishes));
+  write_text(data.size() == 1 ? report_page(data.front()) : comparison_page(data), html);
 }
 
 }  // namespace pmr::report

@@ -9,9 +9,15 @@
 
 namespace pmr::report {
 
+// What a reader may want of the page beyond what the runs say.
+struct ReportWishes {
+  std::filesystem::path reference;  // CSV of mass ratios in place of the cases' own; empty: theirs
+  std::vector<double> frame_times;  // [s] of the frames of the mixing; empty: six until rest
+};
+
 // Writes one self-contained HTML page: the report of one run, or several runs side by side.
-void write_report(const std::vector<std::filesystem::path>& runs,
-                  const std::filesystem::path& html);
+void write_report(const std::vector<std::filesystem::path>& runs, const std::filesystem::path& html,
+                  const ReportWishes& wishes = {});
 
 // The same page from data already read.
 std::string report_page(const RunData& run);

@@ -32,6 +32,7 @@ struct RunData {
   Value summary;                                      // summary.json
   std::optional<Case> setup;                          // the case, where it can be read again
   std::vector<SpeciesTotals> species;                 // by species index
+  std::vector<double> frame_times;  // [s] wanted for the frames of the mixing; empty: our choice
 
   std::optional<std::size_t> reactive() const;  // index of the species that gives off oxygen
   std::optional<std::size_t> hottest() const;   // index of the hottest at the start, if one is

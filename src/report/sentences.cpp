@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "report/figures.hpp"
+#include "report/mixture_data.hpp"
 
 namespace pmr::report {
 namespace {
@@ -66,12 +67,11 @@ std::string oxygen_part(const RunData& run) {
 }
 
 std::string mixture_part(const RunData& run) {
-  const auto& layers = run.summary.items("homogeneity/layers");
-  if (layers.empty()) return "";
-  return "the mass ratio w runs from " +
-         strong(with_unit(Quantity::ratio, layers.front().number("mass_ratio"))) +
-         " in the top layer to " +
-         strong(with_unit(Quantity::ratio, layers.back().number("mass_ratio"))) + " in the lowest";
+  const std::vector<double> means = layer_means(mixture_of(run));
+  if (means.empty()) return "";
+  return "the mass ratio w runs from " + strong(with_unit(Quantity::ratio, means.front())) +
+         " in the top layer to " + strong(with_unit(Quantity::ratio, means.back())) +
+         " in the lowest";
 }
 
 std::string sentence(std::vector<std::string> parts) {

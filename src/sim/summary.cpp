@@ -10,6 +10,7 @@
 #include "instruments/bed.hpp"
 #include "instruments/course.hpp"
 #include "instruments/mixing.hpp"
+#include "instruments/section_ratios.hpp"
 #include "physics/conduction.hpp"
 #include "physics/mechanics.hpp"
 #include "pmr/base/constants.hpp"
@@ -61,30 +62,61 @@ Json mechanics_of(const SummaryInput& in) {
           {"coordination_number", instruments::coordination_number(state)}};
 }
 
+Json layer_of(const instruments::Layer& layer) {
+  std::vector<double> ratios;
+  for (const auto& sector : layer.sectors) ratios.push_back(sector.mass_ratio());
+  return {{"mass", layer.mass},
+          {"thickness", layer.thickness()},
+          {"mass_ratio", number(layer.content.mass_ratio())},
+          {"sector_mean_ratio", number(instruments::sector_mean(ratios))}};
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+// Mean count of a species over the sections of the layers [1].
+double per_section(const instruments::BedSections& sections,
+                   std::size_t instruments::Portion::*count) {
+  double sum = 0.0, sectors = 0.0;
+  for (const auto& layer : sections.layers)
+    for (const auto& sector : layer.sectors) {
+      sum += static_cast<double>(sector.*count);
+      ++sectors;
+    }
+  return sum / sectors;
+}
+
+Json deviation_of(const instruments::SectionRatios& ratios, const MixtureReference& reference) {
+  const instruments::Deviation from = instruments::deviation(ratios, reference);
+  return {{"reference", reference.name},
+          {"mean", number(from.mean)},
+          {"layers", numbers(from.layers)},
+          {"sections", numbers(from.sections)}};
+}
+
 Json homogeneity_of(const SummaryInput& in, const instruments::BedSections& sections) {
-  Json layers = Json::array(), ratios = Json::array();
-  const auto layer_json = [](const instruments::Layer& layer) {
-    return Json{{"mass", layer.mass},
-                {"thickness", layer.thickness()},
-                {"mass_ratio", number(layer.content.mass_ratio())},
-                {"sector_mean_ratio", number(layer.sector_mean_ratio())}};
-  };
-  for (const auto& layer : sections.layers) {
-    layers.push_back(layer_json(layer));
-    Json row = Json::array();
-    for (const auto& sector : layer.sectors) row.push_back(number(sector.mass_ratio()));
-    ratios.push_back(row);
-  }
-  Json result = {{"layers", layers},
-                 {"sections", ratios},
-                 {"sectors", in.setup.decomposition->sectors},
-                 {"residuum", layer_json(sections.residuum)},
-                 {"lacey_index", number(instruments::lacey_index(sections))},
-                 {"left_right_asymmetry", number(sections.left_right_asymmetry)}};
-  if (!in.setup.decomposition->reference_mass_ratio.empty()) {
-    result["mean_relative_deviation"] = number(sections.mean_relative_deviation);
-    result["reference"] = in.setup.decomposition->reference_source;
-  }
+  const instruments::SectionRatios ratios = instruments::section_ratios(sections);
+  const instruments::Asymmetry asymmetry = instruments::left_right_asymmetry(ratios);
+  Json layers = Json::array(), rows = Json::array();
+  for (const auto& layer : sections.layers) layers.push_back(layer_of(layer));
+  for (const auto& row : ratios) rows.push_back(numbers(row));
+  Json result = {
+      {"layers", layers},
+      {"sections", rows},
+      {"sectors", in.setup.decomposition->sectors},
+      {"residuum", layer_of(sections.residuum)},
+      {"beads_per_section", number(per_section(sections, &instruments::Portion::beads))},
+      {"granules_per_section", number(per_section(sections, &instruments::Portion::granules))},
+      {"lacey_index", number(instruments::lacey_index(sections))},
+      {"left_right_asymmetry",
+       {{"mean", number(asymmetry.mean)},
+        {"largest", number(asymmetry.largest)},
+        {"layers", numbers(asymmetry.layers)}}}};
+  if (in.setup.decomposition->reference)
+    result["deviation"] = deviation_of(ratios, *in.setup.decomposition->reference);
   return result;
 }
 

@@ -65,5 +65,5 @@ TEST_CASE("layers of the decomposition add up to the bed without the residuum") 
   double sum = 0.0;
   for (const double fraction : made.decomposition->layer_fraction) sum += fraction;
   CHECK(sum == Approx(1.0 - 197.02 / 1999.03).epsilon(1e-4));  // residuum over the mean total, g
-  CHECK(made.decomposition->reference_mass_ratio.empty());
+  CHECK_FALSE(made.decomposition->reference);
 }

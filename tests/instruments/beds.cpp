@@ -35,7 +35,7 @@ Vec3 on_ring(std::size_t sector, double height) {
 }
 
 Decomposition tool(std::vector<double> fractions) {
-  return {Vec3(0.0, 0.0, 0.0), 0.0, std::move(fractions), 8, {}, ""};
+  return {Vec3(0.0, 0.0, 0.0), 0.0, std::move(fractions), 8, "", {}};
 }
 
 }  // namespace pmr::test

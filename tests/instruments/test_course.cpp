@@ -29,7 +29,7 @@ Case two_species() {
   setup.species[0].material = 0;
   setup.species[1].material = 1;
   setup.decomposition = test::tool({0.5, 0.25});
-  setup.decomposition->reference_mass_ratio = {3.0, 2.0};
+  setup.decomposition->reference = MixtureReference{"measured.csv", {3.0, 2.0}, {}};
   setup.thermocouples = {{"core", Vec3::Zero(), 0.01}};
   return setup;
 }
@@ -90,8 +90,12 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
   REQUIRE(layers.size() == 1 + 2 + 1);
   CHECK(layers[0] ==
         "layer [1],mass [kg],thickness [m],top [m],mass_ratio [1],sector_mean_ratio [1],"
-        "reference_mass_ratio [1]");
+        "left_right_asymmetry [1],reference_mass_ratio [1],deviation [1]");
+  // w = 2 in every section, against 3 and 2; alike left and right.
+  CHECK_THAT(layers[1], Catch::EndsWith(",2,2,0,3,0.33333333333333337"));
+  CHECK_THAT(layers[2], Catch::EndsWith(",2,2,0,2,0"));
   CHECK(layers[3].substr(0, 5) == "3,24,");  // the residuum: a quarter of 96 kg
+  CHECK_THAT(layers[3], Catch::EndsWith(",nan,nan"));
   CHECK(lines(dir / "sections.csv").size() == 1 + 2 * 8);
 }
 

@@ -55,8 +55,6 @@ TEST_CASE("A bed of two layers is cut between them") {
   CHECK(cut.layers[0].thickness() == Approx(0.006).epsilon(1e-12));
   CHECK(cut.layers[0].bottom == Approx(0.010).epsilon(1e-12));
   CHECK(cut.residuum.mass == 0.0);
-  CHECK(cut.left_right_asymmetry == 0.0);
-  CHECK(std::isnan(cut.mean_relative_deviation));
 }
 
 TEST_CASE("Sections hold the mass ratios that were put into them") {
@@ -121,31 +119,12 @@ TEST_CASE("Layers hold their fractions to within half a particle and masses add 
         Approx(bed_height(bed, Vec3::Zero())).epsilon(1e-12));
 }
 
-TEST_CASE("The deviation is the mean of |1 - w / w_reference| over the layers") {
-  Decomposition compared = test::tool({0.5, 0.5});
-  compared.reference_mass_ratio = {2.0, 1.0};
-  const std::vector<double> upper(8, 0.075), lower(8, 0.02);  // w = 3 and 1/4
-  const BedSections cut = decompose(levels({upper, lower}), compared, pair);
-  CHECK(cut.mean_relative_deviation == Approx((0.5 + 0.75) / 2.0).epsilon(1e-12));
-}
-
-TEST_CASE("Asymmetry compares sections opposite about the plane of the ramp") {
-  std::vector<double> masses(8, 0.05);  // w = 1
-  masses[1] = 0.075;                    // w = 3 against 1 at sector 7: |3 - 1| / 2 = 1
-  const BedSections cut = decompose(levels({masses}), test::tool({1.0}), pair);
-  CHECK(cut.left_right_asymmetry == Approx(1.0 / 3.0).epsilon(1e-12));  // three pairs
-  masses[0] = 0.09;                                                     // on the plane: no partner
-  CHECK(decompose(levels({masses}), test::tool({1.0}), pair).left_right_asymmetry ==
-        Approx(1.0 / 3.0).epsilon(1e-12));
-}
-
 TEST_CASE("A section without granules has an infinite ratio, an empty one none") {
   std::vector<double> masses(8, 0.05);
   masses[3] = 0.1;
   Particles bed = levels({masses});
   const BedSections cut = decompose(bed, test::tool({1.0}), pair);
   CHECK(std::isinf(cut.layers[0].sectors[3].mass_ratio()));
-  CHECK(cut.layers[0].sector_mean_ratio() == Approx(1.0).epsilon(1e-12));  // of the seven others
   CHECK(std::isnan(Portion{}.mass_ratio()));
 }
 

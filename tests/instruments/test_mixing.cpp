@@ -17,7 +17,7 @@ constexpr double bead = 5e-5, granule = 6e-6;  // [kg]
 // and below.
 BedSections drawn(double share_above, double share_below, std::size_t grains, std::uint64_t seed) {
   Random random(seed, Purpose::test, 0);
-  BedSections sections{std::vector<Layer>(2), {}, 0.0, 0.0};
+  BedSections sections{std::vector<Layer>(2), {}};
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t s = 0; s < 8; ++s) {
       Portion section;
@@ -52,6 +52,20 @@ TEST_CASE("Lacey's index of a random mixture is 1 on average") {
   CHECK(sum / draws == Approx(1.0).margin((1.0 / 16.0 + 1.0 / n) / n));
   // Without the correction for unequal masses (n = 60) the margin would be missed.
   CHECK(n < 100.0);
+}
+
+TEST_CASE("Lacey's index of sections p + a and p - a of equal grains has a closed form") {
+  // Half of the sections hold 70 of 100 grains as beads, half 30: p = 1/2, s^2 = a^2 = 0.04. Of
+  // equal grains sR^2 is the binomial p (1 - p) / n with n = 100, whatever a grain weighs.
+  BedSections sections{std::vector<Layer>(2), {}};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t s = 0; s < 8; ++s) {
+      const std::size_t beads = k == 0 ? 70 : 30;
+      sections.layers[k].sectors.push_back({granule * static_cast<double>(beads),
+                                            granule * static_cast<double>(100 - beads), beads,
+                                            100 - beads});
+    }
+  CHECK(lacey_index(sections) == Approx((0.25 - 0.04) / (0.25 - 0.25 / 100.0)).epsilon(1e-12));
 }
 
 TEST_CASE("Lacey's index of a partial mixture lies between") {

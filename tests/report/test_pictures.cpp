@@ -42,7 +42,7 @@ TEST_CASE("A picture becomes a PNG of its size") {
 TEST_CASE("A sphere shows in its colour in the middle, and the sky at the corners") {
   const io::Snapshot snapshot = one_sphere();
   View view = look_at_cut(std::nullopt);
-  frame(view, {&snapshot}, 0.5);
+  frame(view, snapshot, 0.5);
   CHECK(view.width == Approx(4e-3));  // its diameter, and half of it on either side
   const Image image = draw(snapshot, std::nullopt, view, 64, paint_species(snapshot));
   const auto* middle = image.at(32, 32);
@@ -54,7 +54,7 @@ TEST_CASE("A sphere shows in its colour in the middle, and the sky at the corner
 TEST_CASE("What lies before the cut is taken away") {
   io::Snapshot snapshot = one_sphere();
   View view = look_at_cut(std::nullopt);
-  frame(view, {&snapshot}, 0.5);
+  frame(view, snapshot, 0.5);
   snapshot.particles.position[0].y() = -1e-3;
   const Image image = draw(snapshot, std::nullopt, view, 64, paint_species(snapshot));
   CHECK(image.at(32, 32)[2] > 240);
@@ -75,7 +75,7 @@ TEST_CASE("The walls' section follows the chamber") {
   const RunData run = synthetic_run(60, "walls");
   const io::Snapshot last = run.snapshot(run.snapshot_times.size() - 1);
   View view = look_at_cut(run.setup);
-  frame(view, {&last}, 0.2);
+  frame(view, last, 0.2);
   const auto lines = wall_section(run.setup, 1.0, view, 100.0);
   double left = 1e9, right = -1e9;
   for (const auto& line : lines)

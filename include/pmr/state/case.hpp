@@ -125,13 +125,19 @@ struct Models {
 };
 
 // --- Instruments and output
+// Mass ratios of a bed that was taken apart elsewhere, to compare with.
+struct MixtureReference {
+  std::string name;            // of its file
+  std::vector<double> layers;  // [1] w per layer, the mean over its sections if given
+  std::vector<std::vector<double>> sections;  // [1] w per layer and sector; NaN: not measured
+};
 struct Decomposition {
   Vec3 axis_point;                     // [m] on the floor, axis +z
   double ramp_azimuth;                 // [rad] direction of phi = 0
   std::vector<double> layer_fraction;  // [1] of the bed's mass, from the top; the rest is residuum
   std::uint32_t sectors;
-  std::vector<double> reference_mass_ratio;  // [1] per layer, may be empty
   std::string reference_source;
+  std::optional<MixtureReference> reference;
 };
 struct Thermocouple {
   std::string name;

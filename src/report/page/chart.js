@@ -1,4 +1,4 @@
-// Line charts: courses over time and mass ratios over azimuth. D3 version 3.
+// Line charts over time. D3 version 3.
 var pmr = pmr || {};
 
 pmr.data = JSON.parse(document.getElementById("pmr-data").textContent);
@@ -87,7 +87,6 @@ pmr.y_scale = function (all, axis, height) {
 
 pmr.x_scale = function (all, spec, width) {
   var xs = d3.merge(all).filter(function (p) { return p.y !== null; }).map(function (p) { return p.x; });
-  if (spec.kind === "azimuth") return d3.scale.linear().domain([-22.5, 337.5]).range([0, width]);
   if (pmr.time.scale === "log") {
     var positive = xs.filter(function (x) { return x > 0; });
     return d3.scale.log().domain([Math.max(d3.min(positive), d3.max(positive) * 1e-5, 1e-2), d3.max(positive)]).range([0, width]);
@@ -96,10 +95,9 @@ pmr.x_scale = function (all, spec, width) {
 };
 
 pmr.draw_axes = function (svg, x, y, size, spec) {
-  var log_y = spec.y.scale === "log", log_x = spec.kind === "course" && pmr.time.scale === "log";
+  var log_y = spec.y.scale === "log", log_x = pmr.time.scale === "log";
   var y_ticks = log_y ? pmr.log_ticks(y.domain(), 6) : y.ticks(5);
-  var x_ticks = spec.kind === "azimuth" ? [0, 45, 90, 135, 180, 225, 270, 315]
-    : log_x ? pmr.log_ticks(x.domain(), 7) : x.ticks(Math.max(3, Math.round(size.width / 90)));
+  var x_ticks = log_x ? pmr.log_ticks(x.domain(), 7) : x.ticks(Math.max(3, Math.round(size.width / 90)));
   var grid = svg.append("g").attr("class", "grid"), axis = svg.append("g").attr("class", "axis");
   y_ticks.forEach(function (v) {
     grid.append("line").attr({ x1: 0, x2: size.width, y1: y(v), y2: y(v) });
@@ -110,19 +108,19 @@ pmr.draw_axes = function (svg, x, y, size, spec) {
     grid.append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: size.height });
     axis.append("line").attr({ x1: x(v), x2: x(v), y1: size.height, y2: size.height + 4 });
     axis.append("text").attr({ x: x(v), y: size.height + 17, "text-anchor": "middle" })
-      .text(spec.kind === "azimuth" ? v + "°" : log_x ? pmr.number(v) : pmr.tick(v, x_ticks));
+      .text(log_x ? pmr.number(v) : pmr.tick(v, x_ticks));
   });
   axis.append("path").attr("d", "M0,0V" + size.height + "H" + size.width);
   svg.append("text").attr({ x: -size.left + 2, y: -9, "class": "strong" })
     .text(pmr.axis_title(spec.y.label, spec.y.unit));
   svg.append("text").attr({ x: size.width, y: size.height + 33, "text-anchor": "end", "class": "strong" })
-    .text(spec.kind === "azimuth" ? "azimuth φ [°]" : "time since release [s]");
+    .text("time since release [s]");
 };
 
 pmr.draw_lines = function (svg, spec, all, x, y) {
   function drawable(p) {
     return p.y !== null && (spec.y.scale !== "log" || p.y >= y.domain()[0]) &&
-      (spec.kind !== "course" || pmr.time.scale !== "log" || p.x >= x.domain()[0]);
+      (pmr.time.scale !== "log" || p.x >= x.domain()[0]);
   }
   var line = d3.svg.line().defined(drawable).x(function (p) { return x(p.x); }).y(function (p) { return y(p.y); });
   var area = d3.svg.area().defined(drawable).x(function (p) { return x(p.x); })
@@ -132,10 +130,6 @@ pmr.draw_lines = function (svg, spec, all, x, y) {
   });
   spec.lines.forEach(function (l, k) {
     svg.append("path").attr({ "class": "line", d: line(all[k]), stroke: l.colour, "stroke-dasharray": l.dash || null });
-    if (spec.kind === "azimuth")
-      all[k].forEach(function (p) {
-        if (drawable(p)) svg.append("circle").attr({ cx: x(p.x), cy: y(p.y), r: 2.6, fill: l.colour });
-      });
   });
 };
 
@@ -179,14 +173,12 @@ pmr.follow = function (chart) {
       return '<span style="color:' + l.colour + '">●</span> ' + pmr.escape(l.label) + ": <b>" + pmr.number(p.y) + "</b>" + band;
     });
     var unit = chart.spec.y.unit === "1" ? "" : " <span>[" + chart.spec.y.unit + "]</span>";
-    var at = chart.spec.kind === "azimuth" ? "φ = " + Math.round(value) + "°" : "t = " + pmr.number(value) + " s";
-    return at + unit + "<br>" + rows.join("<br>");
+    return "t = " + pmr.number(value) + " s" + unit + "<br>" + rows.join("<br>");
   }
   chart.svg.append("rect").attr({ width: chart.size.width, height: chart.size.height, fill: "transparent" })
     .on("mousemove", function () {
       var mouse = d3.mouse(this), value = chart.x.invert(mouse[0]);
-      if (chart.spec.kind === "azimuth") value = 45 * Math.round(value / 45);
-      pmr.charts.forEach(function (c) { if (c.spec.kind === chart.spec.kind) c.move(value); });
+      pmr.charts.forEach(function (c) { c.move(value); });
       var left = mouse[0] < chart.size.width / 2;
       tip.html(readout(value)).style({ display: null, top: "28px",
         left: left ? chart.size.left + mouse[0] + 14 + "px" : null,
@@ -206,18 +198,15 @@ pmr.since_release = function (all) {
 };
 
 pmr.draw_line_chart = function (holder, spec, width) {
-  if (spec.kind === "azimuth") spec.y = { label: "mass ratio w", unit: "1", scale: "log" };
   pmr.keys(holder, spec.lines);
   var size = { left: 58, right: 12, top: 24, bottom: 40 };
   size.width = width - size.left - size.right;
   size.height = 230;
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (size.height + size.top + size.bottom))
     .append("g").attr("transform", "translate(" + size.left + "," + size.top + ")");
-  var all = spec.lines.map(function (l) { return pmr.points(l, spec.y); });
-  if (spec.kind === "course") all = pmr.since_release(all);
+  var all = pmr.since_release(spec.lines.map(function (l) { return pmr.points(l, spec.y); }));
   var x = pmr.x_scale(all, spec, size.width), y = pmr.y_scale(all, spec.y, size.height);
   pmr.draw_axes(svg, x, y, size, spec);
-  if (spec.kind === "azimuth") svg.append("line").attr({ "class": "unity", x1: 0, x2: size.width, y1: y(1), y2: y(1) });
   pmr.draw_events(svg, spec, x, size);
   pmr.draw_lines(svg, spec, all, x, y);
   var chart = { holder: holder, svg: svg, spec: spec, all: all, x: x, y: y, size: size };
@@ -227,10 +216,9 @@ pmr.draw_line_chart = function (holder, spec, width) {
 
 // One row a point; lines that share their x share a row.
 pmr.line_rows = function (spec) {
-  var x_name = spec.kind === "azimuth" ? "azimuth [deg]" : "time [s]";
-  var axis = spec.y || { unit: "1" }, rows = [["line", x_name, "value [" + axis.unit + "]", "10 % [" + axis.unit + "]", "90 % [" + axis.unit + "]"]];
+  var unit = " [" + spec.y.unit + "]", rows = [["line", "time [s]", "value" + unit, "10 %" + unit, "90 %" + unit]];
   spec.lines.forEach(function (l) {
-    pmr.points(l, axis).forEach(function (p) { rows.push([l.label, p.x, p.y, p.low, p.high]); });
+    pmr.points(l, spec.y).forEach(function (p) { rows.push([l.label, p.x, p.y, p.low, p.high]); });
   });
   return rows;
 };

@@ -6,45 +6,62 @@ pmr.ratio_ticks = function (domain) {
 
 pmr.draw_layers = function (holder, spec, width) {
   if (spec.lines.length > 1) pmr.keys(holder, spec.lines);
-  var layers = d3.max(spec.lines, function (l) { return l.w.length; });
-  var left = 58, right = 16, top = 12, step = 32, inside = width - left - right, height = layers * step;
-  var values = d3.merge(spec.lines.map(function (l) { return l.w; })).filter(function (w) { return w > 0; });
+  var left = 58, right = 62, top = 12, inside = width - left - right, height = 260;
+  var values = d3.merge(spec.lines.map(function (l) { return l.w.concat(l.residuum ? [l.residuum.w] : []); })).filter(function (w) { return w > 0; });
   if (spec.published) values = values.concat([0.5, 3.5]);
+  var deepest = d3.max(spec.lines, function (l) { return Math.max(d3.max(l.depth), l.residuum ? l.residuum.depth : 0); });
   var x = d3.scale.log().domain([Math.min(0.14, d3.min(values) / 1.3), Math.max(5, d3.max(values) * 1.3)]).range([0, inside]);
-  function y(layer) { return (layer + 0.5) * step; }
+  var y = d3.scale.linear().domain([0, 1.05 * Math.max(deepest, d3.max(spec.cuts))]).range([0, height]);
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (height + top + 42))
     .append("g").attr("transform", "translate(" + left + "," + top + ")");
-  pmr.ratio_ticks(x.domain()).forEach(function (v) {
-    svg.append("g").attr("class", "grid").append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: height });
-    svg.append("text").attr({ x: x(v), y: height + 16, "text-anchor": "middle" }).text(pmr.number(v));
-  });
-  svg.append("line").attr({ "class": "unity", x1: x(1), x2: x(1), y1: 0, y2: height });
-  svg.append("g").attr("class", "axis").append("path").attr("d", "M0,0V" + height + "H" + inside);
-  svg.append("text").attr({ x: inside, y: height + 33, "text-anchor": "end", "class": "strong" }).text("mass ratio w [1]");
-  for (var k = 0; k < layers; ++k)
-    svg.append("text").attr({ x: -8, y: y(k) + 4, "text-anchor": "end" }).text(k === 0 ? "layer 1" : k + 1);
-  if (spec.published) pmr.draw_published(svg, x, y, layers, step);
+  pmr.draw_layer_axes(svg, x, y, spec, inside, height);
+  if (spec.published) pmr.draw_published(svg, x, y, spec.cuts);
   spec.lines.forEach(function (l) { pmr.draw_profile(svg, l, x, y); });
 };
 
-pmr.draw_published = function (svg, x, y, layers, step) {
-  function statement(w, first, last, text) {
-    svg.append("line").attr({ x1: x(w), x2: x(w), y1: y(first) - step * 0.42, y2: y(last) + step * 0.42,
-      stroke: "#b4bcc6", "stroke-width": 9, "stroke-linecap": "round", opacity: 0.75 });
-    svg.append("text").attr({ x: x(w) - 12, y: y(first) - step * 0.18 - (w > 1 ? 0 : 10), "text-anchor": "end" }).text(text);
+pmr.draw_layer_axes = function (svg, x, y, spec, inside, height) {
+  var grid = svg.append("g").attr("class", "grid"), axis = svg.append("g").attr("class", "axis");
+  pmr.ratio_ticks(x.domain()).forEach(function (v) {
+    grid.append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: height });
+    svg.append("text").attr({ x: x(v), y: height + 16, "text-anchor": "middle" }).text(pmr.number(v));
+  });
+  y.ticks(6).forEach(function (v) {
+    axis.append("line").attr({ x1: -4, x2: 0, y1: y(v), y2: y(v) });
+    svg.append("text").attr({ x: -8, y: y(v) + 4, "text-anchor": "end" }).text(pmr.number(v));
+  });
+  spec.cuts.forEach(function (depth, k) {
+    grid.append("line").attr({ x1: 0, x2: inside, y1: y(depth), y2: y(depth) });
+    if (k > 0) svg.append("text").attr({ x: inside + 6, y: y((spec.cuts[k - 1] + depth) / 2) + 4 }).text(k === 1 ? "layer 1" : k);
+  });
+  svg.append("line").attr({ "class": "unity", x1: x(1), x2: x(1), y1: 0, y2: height });
+  axis.append("path").attr("d", "M0,0V" + height + "H" + inside);
+  svg.append("text").attr({ x: inside, y: height + 33, "text-anchor": "end", "class": "strong" }).text("mean mass ratio w [1]");
+  svg.append("text").attr({ transform: "rotate(-90)", x: -height / 2, y: -42, "text-anchor": "middle", "class": "strong" }).text("depth under the bed's top [mm]");
+};
+
+// What is stated of the measured beds: broad strokes, for they are words and no data.
+pmr.draw_published = function (svg, x, y, cuts) {
+  function statement(w, from, to, text) {
+    svg.append("line").attr({ x1: x(w), x2: x(w), y1: y(from) + 5, y2: y(to) - 5,
+      stroke: "#b4bcc6", "stroke-width": 9, "stroke-linecap": "round", opacity: 0.6 });
+    svg.append("text").attr({ "class": "statement", x: x(w) - 10, y: y((from + to) / 2) + 4, "text-anchor": "end" }).text(text);
   }
-  statement(3.5, 0, 0, "measured: about 3.5");
-  if (layers > 3) statement(0.5, layers - 3, layers - 1, "measured: about 0.5");
+  var n = cuts.length - 1;
+  statement(3.5, cuts[0], cuts[1], "stated: about 3.5");
+  if (n > 3) statement(0.5, cuts[n - 3], cuts[n], "stated: about 0.5");
 };
 
 pmr.draw_profile = function (svg, line, x, y) {
-  var points = line.w.map(function (w, k) { return [w, k]; }).filter(function (p) { return p[0] > 0; });
+  var points = line.w.map(function (w, k) { return { w: w, depth: line.depth[k], layer: k + 1 }; }).filter(function (p) { return p.w > 0; });
   svg.append("path").attr({ "class": "line", stroke: line.colour, "stroke-dasharray": line.dash || null,
-    d: d3.svg.line().x(function (p) { return x(p[0]); }).y(function (p) { return y(p[1]); })(points) });
+    d: d3.svg.line().x(function (p) { return x(p.w); }).y(function (p) { return y(p.depth); })(points) });
   points.forEach(function (p) {
-    svg.append("circle").attr({ cx: x(p[0]), cy: y(p[1]), r: 4, fill: line.dash ? "#fff" : line.colour, stroke: line.colour })
-      .append("title").text(line.label + ", layer " + (p[1] + 1) + ": w = " + pmr.number(p[0]));
+    svg.append("circle").attr({ cx: x(p.w), cy: y(p.depth), r: 4, fill: line.dash ? "#fff" : line.colour, stroke: line.colour })
+      .append("title").text(line.label + ", layer " + p.layer + ": w = " + pmr.number(p.w) + " at " + pmr.number(p.depth) + " mm");
   });
+  if (line.residuum && line.residuum.w > 0)
+    svg.append("rect").attr({ x: x(line.residuum.w) - 4, y: y(line.residuum.depth) - 4, width: 8, height: 8, fill: "#fff", stroke: line.colour, "stroke-width": 1.6 })
+      .append("title").text(line.label + ", residuum: w = " + pmr.number(line.residuum.w));
 };
 
 // The colour of a ratio, on a log scale that is as wide above 1 as below.
@@ -97,8 +114,11 @@ pmr.draw_ratio_bar = function (g, colour, width) {
 };
 
 pmr.layer_rows = function (spec) {
-  var rows = [["line", "layer", "w [1]"]];
-  spec.lines.forEach(function (l) { l.w.forEach(function (w, k) { rows.push([l.label, k + 1, w]); }); });
+  var rows = [["line", "layer", "depth [mm]", "mean w [1]"]];
+  spec.lines.forEach(function (l) {
+    l.w.forEach(function (w, k) { rows.push([l.label, k + 1, l.depth[k], w]); });
+    if (l.residuum) rows.push([l.label, "residuum", l.residuum.depth, l.residuum.w]);
+  });
   return rows;
 };
 
