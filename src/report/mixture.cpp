@@ -36,7 +36,7 @@ Section mixture_section(const std::vector<const RunData*>& runs, Charts& charts)
   std::vector<Bed> beds;
   std::string indices, statements;
   for (const RunData* run : runs) {
-    Bed bed{runs.size() == 1 ? "this run" : run->name, mixture_of(*run), is_demonstrator(*run)};
+    Bed bed{runs.size() == 1 ? "This run" : run->name, mixture_of(*run), is_demonstrator(*run)};
     if (bed.mixture.layers.empty()) continue;
     const std::string name = runs.size() == 1 ? "" : element("h4", escape(bed.name));
     indices += name + mixture_indices(bed, run->summary.number("homogeneity/lacey_index"));

@@ -110,8 +110,9 @@ bool is_minimum_at_far_side(const std::vector<double>& ratios) {
 }
 
 std::string verdict(std::size_t reproduced) {
-  if (reproduced == 3) return "the peak on the far side is reproduced. ";
-  return reproduced == 0 ? "not reproduced. " : "reproduced in part. ";
+  if (reproduced == 3) return "the azimuthal peak is reproduced. ";
+  return reproduced == 0 ? "the azimuthal peak is not reproduced. "
+                         : "the azimuthal peak is reproduced in part. ";
 }
 
 std::string azimuthal_pattern(const Bed& bed) {
@@ -222,15 +223,17 @@ std::string section_table(const std::vector<Bed>& beds) {
 
 std::string against_measurement(const Bed& bed, double settled_time) {
   if (bed.mixture.sections.size() < 4) return "";
-  std::string text = azimuthal_pattern(bed) + profile(bed);
+  std::string rest;
   if (std::isfinite(settled_time))
-    text += "The published bed needed about 3 s to come to rest, this one " +
-            with_unit(Quantity::time, settled_time) + ". ";
-  text +=
+    rest = "The published bed needed about 3 s to come to rest, this one " +
+           with_unit(Quantity::time, settled_time) + ". ";
+  rest +=
       "Chamber height, ramp angle, tube diameters and distances were not published and are "
       "assumed: only the profile over the layers and the sign of the effect of the release delay "
       "can be compared. No temperature or oxygen was published to compare with.";
-  return element("p", text, "class=\"honest\"");
+  return element(
+      "div", element("p", azimuthal_pattern(bed)) + element("p", profile(bed)) + element("p", rest),
+      "class=\"honest\"");
 }
 
 }  // namespace pmr::report

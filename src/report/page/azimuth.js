@@ -34,7 +34,7 @@ pmr.draw_azimuth_axes = function (g, x, y, panel, layer, is_first) {
   });
   [0, 90, 180, 270, 360].forEach(function (v) {
     grid.append("line").attr({ x1: x(v), x2: x(v), y1: 0, y2: panel.height });
-    g.append("text").attr({ x: x(v), y: panel.height + 14, "text-anchor": "middle" }).text(v);
+    g.append("text").attr({ x: x(v), y: panel.height + 14, "text-anchor": v === 0 ? "start" : v === 360 ? "end" : "middle" }).text(v);
   });
   [[0, "ramp", "start"], [180, "far side", "middle"], [360, "ramp", "end"]].forEach(function (side) {
     g.append("text").attr({ "class": "side", x: x(side[0]), y: panel.height + 26, "text-anchor": side[2] }).text(side[1]);

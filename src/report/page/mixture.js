@@ -41,14 +41,14 @@ pmr.draw_layer_axes = function (svg, x, y, spec, inside, height) {
 
 // What is stated of the measured beds: broad strokes, for they are words and no data.
 pmr.draw_published = function (svg, x, y, cuts) {
-  function statement(w, from, to, text) {
+  function statement(w, from, to, text, side) {
     svg.append("line").attr({ x1: x(w), x2: x(w), y1: y(from) + 5, y2: y(to) - 5,
       stroke: "#b4bcc6", "stroke-width": 9, "stroke-linecap": "round", opacity: 0.6 });
-    svg.append("text").attr({ "class": "statement", x: x(w) - 10, y: y((from + to) / 2) + 4, "text-anchor": "end" }).text(text);
+    svg.append("text").attr({ "class": "statement", x: x(w) + 10 * side, y: y((from + to) / 2) + 4, "text-anchor": side < 0 ? "end" : "start" }).text(text);
   }
   var n = cuts.length - 1;
-  statement(3.5, cuts[0], cuts[1], "stated: about 3.5");
-  if (n > 3) statement(0.5, cuts[n - 3], cuts[n], "stated: about 0.5");
+  statement(3.5, cuts[0], cuts[1], "stated: about 3.5", -1);
+  if (n > 3) statement(0.5, cuts[n - 3], cuts[n], "stated: about 0.5", 1);
 };
 
 pmr.draw_profile = function (svg, line, x, y) {
