@@ -86,7 +86,7 @@ struct Parser {
         ->add_option("--frames", wishes.frame_times,
                      "times in s of the frames of the mixing, such as 0.2,0.4,0.6 [six until rest]")
         ->delimiter(',')
-        ->expected(1);
+        ->allow_extra_args(false);
     report_verb->callback([this] { action = [this] { return report(folders, html, wishes); }; });
 
     auto* render_verb = app.add_subcommand("render", "a picture of the bed, cut open");

@@ -94,8 +94,8 @@ void add_books(Collector& c) {
 void add_mixture(Collector& c) {
   const MixtureData mixture = mixture_of(c.run());
   if (!mixture.layers.empty())
-    c.add({"top_ratio", "Mass ratio w, top layer", Quantity::ratio, mixture.layers.front().mean,
-           "bottom layer " + with_unit(Quantity::ratio, mixture.layers.back().mean)});
+    c.add({"top_ratio", "Mass ratio w, top layer", Quantity::ratio, mixture.layers.front().whole,
+           "bottom layer " + with_unit(Quantity::ratio, mixture.layers.back().whole)});
   c.add({"lacey", "Lacey mixing index", Quantity::ratio, c.number("homogeneity/lacey_index"),
          "0 apart, 1 at random"});
   c.add({"asymmetry", "Left–right asymmetry of the mixture", Quantity::share,

@@ -67,12 +67,14 @@ std::string mixing_strips(const std::vector<const RunData*>& runs) {
       shots.push_back(
           shot_html({snapshot, runs[r]->setup, view, frame_pixels, ""}, paint_species(snapshot)));
     }
-    html +=
-        strip(shots, species_legend(runs[r]->header.species), strip_title(*runs[r], runs.size()),
-              "Cut at the plane of symmetry: what lies before it is taken away. Time since the "
-              "first valve's release; one scale in all frames.");
+    html += strip(shots, species_legend(runs[r]->header.species),
+                  strip_title(*runs[r], runs.size()), "");
   }
-  return html.empty() ? absent("No frames of the mixing: the bed did not move in this run.") : html;
+  if (html.empty()) return absent("No frames of the mixing: the bed did not move in this run.");
+  return html + element("p",
+                        "Cut at the plane of symmetry: what lies before it is taken away. Times "
+                        "since the first valve's release; one scale in all frames.",
+                        "class=\"caption\"");
 }
 
 }  // namespace pmr::report

@@ -1,6 +1,7 @@
 #include "report/mixture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/mixture_tables.hpp"
 #include "report/text.hpp"
@@ -13,6 +14,12 @@ bool is_demonstrator(const RunData& run) {
   std::transform(title.begin(), title.end(), title.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return title.find("demonstrator") != std::string::npos;
+}
+
+std::string heading(const RunData& run) {
+  const double delay = release_delay(run);
+  if (!std::isfinite(delay)) return escape(run.name);
+  return escape(run.name) + ", valves released " + with_unit(Quantity::time, delay) + " apart";
 }
 
 std::string unrolled_beds(const std::vector<Bed>& beds, Charts& charts) {
@@ -38,7 +45,7 @@ Section mixture_section(const std::vector<const RunData*>& runs, Charts& charts)
   for (const RunData* run : runs) {
     Bed bed{runs.size() == 1 ? "This run" : run->name, mixture_of(*run), is_demonstrator(*run)};
     if (bed.mixture.layers.empty()) continue;
-    const std::string name = runs.size() == 1 ? "" : element("h4", escape(bed.name));
+    const std::string name = runs.size() == 1 ? "" : element("h4", heading(*run));
     indices += name + mixture_indices(bed, run->summary.number("homogeneity/lacey_index"));
     if (bed.is_demonstrator) statements += against_measurement(bed, run->settled_time());
     beds.push_back(std::move(bed));

@@ -24,6 +24,9 @@ Value layer_line(const Bed& bed, const std::string& colour) {
   line.set("colour", colour);
   line.set("w", Value(layer_means(bed.mixture)));
   line.set("depth", Value(layer_middles(bed.mixture)));
+  std::vector<double> whole;
+  for (const LayerFigures& layer : bed.mixture.layers) whole.push_back(layer.whole);
+  line.set("whole", Value(whole));
   if (bed.mixture.residuum) {
     Value residuum;
     residuum.set("w", bed.mixture.residuum->whole);
@@ -76,8 +79,9 @@ std::string layer_chart(const std::vector<Bed>& beds, Charts& charts) {
   spec.set("lines", std::move(lines));
   spec.set("cuts", Value(cut_depths(beds.front().mixture)));
   std::string caption =
-      "w = mass of beads over mass of granules; each point the mean over a layer's sections, in "
-      "the middle of the layer. Square: the residuum as a whole.";
+      "w = mass of beads over mass of granules, in the middle of each layer. Points: the mean over "
+      "its sections, as the study averages; crosses: the layer as a whole, which few particles in "
+      "a section do not lift. Square: the residuum as a whole.";
   if (beds.size() > 1) caption += " Layers are marked where " + beds.front().name + " was cut.";
   if (beds.front().is_demonstrator) {
     spec.set("published", true);
@@ -109,10 +113,12 @@ std::string azimuth_chart(const std::vector<Bed>& beds, Charts& charts) {
   spec.set("kind", "azimuth");
   spec.set("lines", std::move(lines));
   spec.set("layers", first.size());
-  return charts.add("azimuth", "Mass ratio over azimuth, layer by layer", std::move(spec),
-                    "φ = 0 and 360° is the ramp's side (the same section), 180° its far side. A "
-                    "ring marks the largest w of a layer. Logarithmic axis, the same in all "
-                    "panels: above 1 there are too many beads, below 1 too many granules.");
+  return charts.add(
+      "azimuth", "Mass ratio over azimuth, layer by layer", std::move(spec),
+      "φ = 0 and 360° is the ramp's side (the same section), 180° its far side. A "
+      "ring marks the largest w of a layer, a gap a section without beads or without "
+      "granules. Logarithmic axis, the same in all panels: above 1 there are too many "
+      "beads, below 1 too many granules.");
 }
 
 std::string unrolled_chart(const Bed& bed, const std::string& id, const std::string& title,

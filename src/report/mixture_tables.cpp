@@ -50,24 +50,38 @@ void add_residuum(const LayerFigures& residuum, std::size_t columns, Rows& rows)
   rows.push_back(std::move(row));
 }
 
-std::string compared_ratios(const std::vector<Bed>& beds) {
-  std::vector<std::string> head{"layer, mean w"};
-  const MixtureReference* reference = reference_of(beds);
+double whole_ratio(const Bed& bed, std::size_t layer) {
+  return layer < bed.mixture.layers.size() ? bed.mixture.layers[layer].whole : std::nan("");
+}
+
+// Values of the beds beside each other, then differences from the first.
+using RatioOf = double (*)(const Bed&, std::size_t layer);
+std::string compared_ratios(const std::vector<Bed>& beds, const char* title, RatioOf ratio_of) {
+  std::vector<std::string> head{title};
   for (const Bed& bed : beds) head.push_back(escape(bed.name));
   for (std::size_t b = 1; b < beds.size(); ++b)
     head.push_back(escape(beds[b].name) + " − " + escape(beds[0].name));
-  if (reference != nullptr) head.push_back("reference");
-  for (const Bed& bed : beds)
-    if (bed.mixture.deviation) head.push_back("|1 − w/w<sub>ref</sub>| " + escape(bed.name));
   Rows rows;
   for (std::size_t k = 0; k < most_layers(beds); ++k) {
     std::vector<std::string> row{std::to_string(k + 1)};
-    for (const Bed& bed : beds) row.push_back(ratio(mean_ratio(bed, k)));
+    for (const Bed& bed : beds) row.push_back(ratio(ratio_of(bed, k)));
     for (std::size_t b = 1; b < beds.size(); ++b)
-      row.push_back(difference(Quantity::ratio, mean_ratio(beds[b], k) - mean_ratio(beds[0], k)));
-    if (reference != nullptr) row.push_back(ratio(at(reference->layers, k)));
+      row.push_back(difference(Quantity::ratio, ratio_of(beds[b], k) - ratio_of(beds[0], k)));
+    rows.push_back(std::move(row));
+  }
+  return table(head, rows, "class=\"numbers compare\"");
+}
+
+std::string compared_deviations(const std::vector<Bed>& beds) {
+  const MixtureReference* reference = reference_of(beds);
+  if (reference == nullptr) return "";
+  std::vector<std::string> head{"layer, |1 − w/w<sub>ref</sub>|", "reference w"};
+  for (const Bed& bed : beds) head.push_back(escape(bed.name));
+  Rows rows;
+  for (std::size_t k = 0; k < reference->layers.size(); ++k) {
+    std::vector<std::string> row{std::to_string(k + 1), ratio(reference->layers[k])};
     for (const Bed& bed : beds)
-      if (bed.mixture.deviation) row.push_back(share(at(bed.mixture.deviation->layers, k)));
+      row.push_back(bed.mixture.deviation ? share(at(bed.mixture.deviation->layers, k)) : "–");
     rows.push_back(std::move(row));
   }
   return table(head, rows, "class=\"numbers compare\"");
@@ -135,18 +149,31 @@ std::string azimuthal_pattern(const Bed& bed) {
   return text;
 }
 
+std::string in_layer(const Bed& bed, std::size_t layer) {
+  const LayerFigures& figures = bed.mixture.layers[layer];
+  return ratio(figures.mean) + " (" + ratio(figures.whole) + " as a whole) in layer " +
+         std::to_string(layer + 1);
+}
+
 std::string profile(const Bed& bed) {
   const std::vector<double> means = layer_means(bed.mixture);
-  const auto [low, high] = std::minmax_element(means.begin(), means.end());
   const bool falls = std::is_sorted(means.begin(), means.end(), std::greater<>());
-  std::string text = "Over depth the mean w " +
-                     std::string(falls ? "falls in every layer" : "does not fall in every layer") +
-                     ", from " + ratio(means.front()) + " in layer 1; ";
-  return text + "the largest is " + ratio(*high) + " in layer " +
-         std::to_string(high - means.begin() + 1) + ", the smallest " + ratio(*low) + " in layer " +
-         std::to_string(low - means.begin() + 1) +
-         " (stated of the measured beds: about 3.5 on top, about 0.5 in the lower layers, falling "
-         "with depth). ";
+  return std::string("Over depth the mean of w over the sections ") +
+         (falls ? "falls from layer to layer" : "does not fall in every layer") + ": " +
+         in_layer(bed, 0) + ", " + in_layer(bed, means.size() - 1) +
+         ". Stated of the measured beds: about 3.5 on top, about 0.5 in the lower layers, falling "
+         "with depth. ";
+}
+
+// The layers of the four measured beds and their residuum add up to 1.999 kg on average.
+std::string of_another_size(const Bed& bed) {
+  constexpr double measured = 1.999;  // [kg]
+  double mass = bed.mixture.residuum ? bed.mixture.residuum->mass : 0.0;
+  for (const LayerFigures& layer : bed.mixture.layers) mass += layer.mass;
+  if (!(mass < 0.9 * measured)) return "";
+  return "This bed is one of " + with_unit(Quantity::mass, mass) + ", the measured ones of " +
+         with_unit(Quantity::mass, measured) +
+         ": a smaller rig of its own, whose figures are no comparison with the measured ones. ";
 }
 
 }  // namespace
@@ -165,10 +192,10 @@ std::string mixture_indices(const Bed& bed, double lacey_index) {
   if (std::isfinite(mixture.beads_per_section) && std::isfinite(mixture.granules_per_section))
     parts.push_back("a section holds " + fixed(mixture.beads_per_section, 0) + " beads and " +
                     fixed(mixture.granules_per_section, 0) +
-                    " granules on average, so that counting alone makes about " +
+                    " granules on average, and counting so few would alone make opposite sections "
+                    "of a random mixture differ by about " +
                     share(instruments::counting_asymmetry(mixture.beads_per_section,
-                                                          mixture.granules_per_section)) +
-                    " of such a difference");
+                                                          mixture.granules_per_section)));
   if (mixture.deviation) {
     parts.push_back("deviation from " + escape(mixture.reference->name) +
                     ", mean |1 − w/w<sub>ref</sub>| over the layers " +
@@ -179,8 +206,9 @@ std::string mixture_indices(const Bed& bed, double lacey_index) {
 
 std::string layer_table(const Bed& bed) {
   const MixtureData& mixture = bed.mixture;
-  std::vector<std::string> head{"layer",  "mass",           "thickness", "w, whole layer",
-                                "mean w", "largest w at φ", "left–right"};
+  std::vector<std::string> head{
+      "layer",          "mass",      "thickness", "w, whole layer", "mean w over sections",
+      "largest w at φ", "left–right"};
   const bool by_section = mixture.deviation && !mixture.deviation->sections.empty();
   if (mixture.deviation) head.insert(head.end(), {"reference w", "|1 − w/w<sub>ref</sub>|"});
   if (by_section) head.push_back("the same, mean over sections");
@@ -200,7 +228,11 @@ std::string layer_table(const Bed& bed) {
 }
 
 std::string compared_layers(const std::vector<Bed>& beds) {
-  return compared_ratios(beds) + compared_patterns(beds);
+  return element("div",
+                 compared_ratios(beds, "layer, mean w over sections", mean_ratio) +
+                     compared_ratios(beds, "layer, w as a whole", whole_ratio) +
+                     compared_patterns(beds) + compared_deviations(beds),
+                 "class=\"tables\"");
 }
 
 std::string section_table(const std::vector<Bed>& beds) {
@@ -223,10 +255,10 @@ std::string section_table(const std::vector<Bed>& beds) {
 
 std::string against_measurement(const Bed& bed, double settled_time) {
   if (bed.mixture.sections.size() < 4) return "";
-  std::string rest;
+  std::string rest = of_another_size(bed);
   if (std::isfinite(settled_time))
-    rest = "The published bed needed about 3 s to come to rest, this one " +
-           with_unit(Quantity::time, settled_time) + ". ";
+    rest += "The published bed needed about 3 s to come to rest, this one " +
+            with_unit(Quantity::time, settled_time) + ". ";
   rest +=
       "Chamber height, ramp angle, tube diameters and distances were not published and are "
       "assumed: only the profile over the layers and the sign of the effect of the release delay "

@@ -77,9 +77,8 @@ std::string strip(const std::vector<std::string>& shots, const std::string& lege
                   const std::string& title, const std::string& caption) {
   const std::string pictures = element(
       "div", join(shots, ""), "class=\"shots\" style=\"--n:" + std::to_string(shots.size()) + "\"");
-  return element(
-      "div", element("h3", title) + pictures + legend + element("p", caption, "class=\"caption\""),
-      "class=\"strip\"");
+  const std::string below = caption.empty() ? "" : element("p", caption, "class=\"caption\"");
+  return element("div", element("h3", title) + pictures + legend + below, "class=\"strip\"");
 }
 
 std::vector<double> round_ticks(Limits limits, int wanted) {

@@ -67,10 +67,10 @@ std::string oxygen_part(const RunData& run) {
 }
 
 std::string mixture_part(const RunData& run) {
-  const std::vector<double> means = layer_means(mixture_of(run));
-  if (means.empty()) return "";
-  return "the mass ratio w runs from " + strong(with_unit(Quantity::ratio, means.front())) +
-         " in the top layer to " + strong(with_unit(Quantity::ratio, means.back())) +
+  const auto layers = mixture_of(run).layers;
+  if (layers.empty()) return "";
+  return "the mass ratio w runs from " + strong(with_unit(Quantity::ratio, layers.front().whole)) +
+         " in the top layer to " + strong(with_unit(Quantity::ratio, layers.back().whole)) +
          " in the lowest";
 }
 

@@ -89,12 +89,13 @@ double per_section(const instruments::BedSections& sections,
   return sum / sectors;
 }
 
-Json deviation_of(const instruments::SectionRatios& ratios, const MixtureReference& reference) {
+void add_deviation(const instruments::SectionRatios& ratios, const MixtureReference& reference,
+                   Json& homogeneity) {
   const instruments::Deviation from = instruments::deviation(ratios, reference);
-  return {{"reference", reference.name},
-          {"mean", number(from.mean)},
-          {"layers", numbers(from.layers)},
-          {"sections", numbers(from.sections)}};
+  homogeneity["mean_relative_deviation"] = number(from.mean);
+  homogeneity["deviation"] = {{"reference", reference.name},
+                              {"layers", numbers(from.layers)},
+                              {"sections", numbers(from.sections)}};
 }
 
 Json homogeneity_of(const SummaryInput& in, const instruments::BedSections& sections) {
@@ -116,7 +117,7 @@ Json homogeneity_of(const SummaryInput& in, const instruments::BedSections& sect
         {"largest", number(asymmetry.largest)},
         {"layers", numbers(asymmetry.layers)}}}};
   if (in.setup.decomposition->reference)
-    result["deviation"] = deviation_of(ratios, *in.setup.decomposition->reference);
+    add_deviation(ratios, *in.setup.decomposition->reference, result);
   return result;
 }
 

@@ -100,7 +100,7 @@ TEST_CASE("Whether the azimuthal peak is reproduced is told from the run's own s
   CHECK_THAT(section_of({&far}), Contains("the azimuthal peak is reproduced."));
   CHECK_THAT(section_of({&some}), Contains("reproduced in part.") && Contains("layer 3: φ = 135°"));
   CHECK_THAT(section_of({&none}), Contains("the azimuthal peak is not reproduced."));
-  CHECK_THAT(section_of({&none}), Contains("falls in every layer"));
+  CHECK_THAT(section_of({&none}), Contains("falls from layer to layer"));
 }
 
 TEST_CASE("Published statements are drawn for the demonstrator alone") {

@@ -28,7 +28,7 @@ pmr.draw_azimuth = function (holder, spec, width) {
 pmr.draw_azimuth_axes = function (g, x, y, panel, layer, is_first) {
   var grid = g.append("g").attr("class", "grid");
   g.append("rect").attr({ "class": "far-side", x: x(157.5), width: x(45), y: 0, height: panel.height });
-  pmr.ratio_ticks(y.domain()).forEach(function (v) {
+  pmr.log_ticks(y.domain(), 6).forEach(function (v) {
     grid.append("line").attr({ x1: 0, x2: panel.width, y1: y(v), y2: y(v) });
     if (is_first) g.append("text").attr({ x: -6, y: y(v) + 4, "text-anchor": "end" }).text(pmr.number(v));
   });

@@ -7,7 +7,7 @@ pmr.ratio_ticks = function (domain) {
 pmr.draw_layers = function (holder, spec, width) {
   if (spec.lines.length > 1) pmr.keys(holder, spec.lines);
   var left = 58, right = 62, top = 12, inside = width - left - right, height = 260;
-  var values = d3.merge(spec.lines.map(function (l) { return l.w.concat(l.residuum ? [l.residuum.w] : []); })).filter(function (w) { return w > 0; });
+  var values = d3.merge(spec.lines.map(function (l) { return l.w.concat(l.whole || [], l.residuum ? [l.residuum.w] : []); })).filter(function (w) { return w > 0; });
   if (spec.published) values = values.concat([0.5, 3.5]);
   var deepest = d3.max(spec.lines, function (l) { return Math.max(d3.max(l.depth), l.residuum ? l.residuum.depth : 0); });
   var x = d3.scale.log().domain([Math.min(0.14, d3.min(values) / 1.3), Math.max(5, d3.max(values) * 1.3)]).range([0, inside]);
@@ -35,7 +35,7 @@ pmr.draw_layer_axes = function (svg, x, y, spec, inside, height) {
   });
   svg.append("line").attr({ "class": "unity", x1: x(1), x2: x(1), y1: 0, y2: height });
   axis.append("path").attr("d", "M0,0V" + height + "H" + inside);
-  svg.append("text").attr({ x: inside, y: height + 33, "text-anchor": "end", "class": "strong" }).text("mean mass ratio w [1]");
+  svg.append("text").attr({ x: inside, y: height + 33, "text-anchor": "end", "class": "strong" }).text("mass ratio w [1]");
   svg.append("text").attr({ transform: "rotate(-90)", x: -height / 2, y: -42, "text-anchor": "middle", "class": "strong" }).text("depth under the bed's top [mm]");
 };
 
@@ -59,6 +59,11 @@ pmr.draw_profile = function (svg, line, x, y) {
     svg.append("circle").attr({ cx: x(p.w), cy: y(p.depth), r: 4, fill: line.dash ? "#fff" : line.colour, stroke: line.colour })
       .append("title").text(line.label + ", layer " + p.layer + ": w = " + pmr.number(p.w) + " at " + pmr.number(p.depth) + " mm");
   });
+  (line.whole || []).forEach(function (w, k) {
+    if (w > 0) svg.append("path").attr({ d: "M-4,-4L4,4M-4,4L4,-4", stroke: line.colour, "stroke-width": 1.6,
+      transform: "translate(" + x(w) + "," + y(line.depth[k]) + ")" })
+      .append("title").text(line.label + ", layer " + (k + 1) + " as a whole: w = " + pmr.number(w));
+  });
   if (line.residuum && line.residuum.w > 0)
     svg.append("rect").attr({ x: x(line.residuum.w) - 4, y: y(line.residuum.depth) - 4, width: 8, height: 8, fill: "#fff", stroke: line.colour, "stroke-width": 1.6 })
       .append("title").text(line.label + ", residuum: w = " + pmr.number(line.residuum.w));
@@ -71,7 +76,8 @@ pmr.ratio_colour = function (cells, colours) {
   var scale = d3.scale.linear().domain(d3.range(colours.length).map(function (k) {
     return octaves * (2 * k / (colours.length - 1) - 1);
   })).range(colours).clamp(true);
-  return { octaves: octaves, of: function (w) { return w > 0 ? scale(Math.log(w) / Math.LN2) : "#fff"; } };
+    // No beads at all is the deepest blue, no granules an empty cell.
+  return { octaves: octaves, of: function (w) { return w > 0 ? scale(Math.log(w) / Math.LN2) : w === 0 ? colours[0] : "#fff"; } };
 };
 
 pmr.draw_unrolled = function (holder, spec, width) {
@@ -85,11 +91,11 @@ pmr.draw_unrolled = function (holder, spec, width) {
   spec.cells.forEach(function (row, k) {
     svg.append("text").attr({ x: -8, y: (k + 0.5) * h + 4, "text-anchor": "end" }).text(k === 0 ? "layer 1" : k + 1);
     row.forEach(function (ratio, s) {
-      var strong = ratio > 0 && Math.abs(Math.log(ratio) / Math.LN2) > 0.6 * colour.octaves;
+      var strong = ratio === 0 || ratio > 0 && Math.abs(Math.log(ratio) / Math.LN2) > 0.6 * colour.octaves;
       svg.append("rect").attr({ x: s * w, y: k * h, width: w - 1, height: h - 1, fill: colour.of(ratio) })
         .append("title").text("layer " + (k + 1) + ", φ = " + spec.azimuth[s] + "°: w = " + pmr.number(ratio));
       svg.append("text").attr({ x: (s + 0.5) * w, y: (k + 0.5) * h + 4, "text-anchor": "middle" })
-        .style("fill", strong ? "#fff" : "#333").text(ratio > 0 ? d3.format(".2r")(ratio) : "–");
+        .style("fill", strong ? "#fff" : "#333").text(ratio > 0 ? d3.format(".2r")(ratio) : ratio === 0 ? "0" : "–");
     });
   });
   spec.azimuth.forEach(function (phi, s) {
@@ -114,10 +120,10 @@ pmr.draw_ratio_bar = function (g, colour, width) {
 };
 
 pmr.layer_rows = function (spec) {
-  var rows = [["line", "layer", "depth [mm]", "mean w [1]"]];
+  var rows = [["line", "layer", "depth [mm]", "mean w over sections [1]", "w of the whole layer [1]"]];
   spec.lines.forEach(function (l) {
-    l.w.forEach(function (w, k) { rows.push([l.label, k + 1, l.depth[k], w]); });
-    if (l.residuum) rows.push([l.label, "residuum", l.residuum.depth, l.residuum.w]);
+    l.w.forEach(function (w, k) { rows.push([l.label, k + 1, l.depth[k], w, l.whole && l.whole[k]]); });
+    if (l.residuum) rows.push([l.label, "residuum", l.residuum.depth, null, l.residuum.w]);
   });
   return rows;
 };
