@@ -75,8 +75,10 @@ std::string shot_html(const Shot& shot, const Paint& paint) {
 
 std::string strip(const std::vector<std::string>& shots, const std::string& legend,
                   const std::string& title, const std::string& caption) {
-  const std::string pictures = element(
-      "div", join(shots, ""), "class=\"shots\" style=\"--n:" + std::to_string(shots.size()) + "\"");
+  const std::size_t n = shots.size(), on_paper = n > 4 ? (n + 1) / 2 : n;  // in a row
+  const std::string pictures = element("div", join(shots, ""),
+                                       "class=\"shots\" style=\"--n:" + std::to_string(n) +
+                                           ";--paper:" + std::to_string(on_paper) + "\"");
   const std::string below = caption.empty() ? "" : element("p", caption, "class=\"caption\"");
   return element("div", element("h3", title) + pictures + legend + below, "class=\"strip\"");
 }

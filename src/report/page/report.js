@@ -34,11 +34,14 @@ pmr.save = function (id, spec) {
   URL.revokeObjectURL(url);
 };
 
-pmr.draw = function (fixed_width) {
+// Widths on A4: half a page where charts stand side by side, else a whole one.
+pmr.paper_width = function (figure) { return figure.closest(".charts") ? 400 : 680; };
+
+pmr.draw = function (on_paper) {
   pmr.charts = [];
   d3.selectAll("figure.chart").each(function () {
     var figure = d3.select(this), id = this.getAttribute("data-chart"), spec = pmr.data.charts[id];
-    var holder = figure.select(".plot").html(""), width = fixed_width || Math.max(280, holder.node().clientWidth);
+    var holder = figure.select(".plot").html(""), width = on_paper ? pmr.paper_width(this) : Math.max(280, holder.node().clientWidth);
     pmr.kinds[spec.kind].draw(holder, spec, width);
     if (figure.select(".csv").empty())
       figure.append("button").attr({ "class": "csv", title: "save the data behind this plot" }).text("CSV")
@@ -62,7 +65,7 @@ pmr.start = function () {
     clearTimeout(waiting);
     waiting = setTimeout(function () { pmr.draw(); }, 150);
   });
-  window.addEventListener("beforeprint", function () { pmr.draw(640); });
+  window.addEventListener("beforeprint", function () { pmr.draw(true); });
   window.addEventListener("afterprint", function () { pmr.draw(); });
   pmr.draw();
 };
