@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/deposition.hpp"
 #include "physics/neighbours.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
@@ -22,36 +23,9 @@ constexpr std::size_t most_faults = 10;  // of one kind
 
 struct Placed {
   SpeciesIndex species;
+  double radius;  // [m]
   Vec3 position;  // [m]
 };
-
-// What is filled, seen from above.
-struct Ground {
-  Vec3 centre;                 // [m] of its lowest level
-  double reach;                // [m] radius of a circle about the centre that holds it
-  double height;               // [m]
-  double inner = 0.0;          // [m] cylinder: radius kept free
-  Eigen::Vector2d half{0, 0};  // [m] box: half sides, else 0
-
-  bool holds(const Vec3& x, double radius) const {
-    const Eigen::Vector2d d = (x - centre).head<2>();
-    if (half[0] > 0.0)
-      return std::abs(d[0]) + radius <= half[0] && std::abs(d[1]) + radius <= half[1];
-    return d.norm() + radius <= reach && (inner == 0.0 || d.norm() - radius >= inner);
-  }
-};
-
-Ground ground(const CylinderRegion& r) { return {r.base, r.radius, r.height, r.inner_radius}; }
-
-Ground ground(const BoxRegion& r) {
-  Ground g;
-  g.centre = 0.5 * (r.low + r.high);
-  g.centre[2] = r.low[2];
-  g.half = 0.5 * (r.high - r.low).head<2>();
-  g.reach = g.half.norm();
-  g.height = r.high[2] - r.low[2];
-  return g;
-}
 
 bool is_same(const Region& a, const Region& b) {
   if (a.index() != b.index()) return false;
@@ -79,8 +53,7 @@ std::vector<Group> groups(const Case& c) {
     };
     auto found = std::find_if(all.begin(), all.end(), shares);
     if (found == all.end()) {
-      const Ground g = std::visit([](const auto& r) { return ground(r); }, *c.species[s].region);
-      found = all.insert(all.end(), Group{g, {}});
+      found = all.insert(all.end(), Group{ground(*c.species[s].region), {}});
     }
     found->members.push_back(static_cast<SpeciesIndex>(s));
   }
@@ -116,38 +89,87 @@ struct Filling {
   bool is_too_narrow = false;
 };
 
-// Stacks layers until all are placed; each layer goes to the species that lags behind most.
-Filling fill(const Case& c, const Group& group, std::uint64_t key) {
+// Takes turns among the species of a group, so that they are placed in proportion.
+class Turns {
+ public:
+  Turns(const Case& c, const Group& group) {
+    for (const SpeciesIndex s : group.members) left_.push_back(c.species[s].count);
+    count_ = left_;
+  }
+  // The member that lags behind most.
+  std::size_t next() const {
+    std::size_t next = 0;
+    for (std::size_t m = 1; m < left_.size(); ++m)
+      if (share_left(m) > share_left(next)) next = m;
+    return next;
+  }
+  std::size_t left(std::size_t member) const { return left_[member]; }
+  std::size_t placed(std::size_t member) const { return count_[member] - left_[member]; }
+  void take(std::size_t member, std::size_t count) { left_[member] -= count; }
+
+ private:
+  double share_left(std::size_t m) const {
+    return count_[m] > 0 ? static_cast<double>(left_[m]) / static_cast<double>(count_[m]) : 0.0;
+  }
+  std::vector<std::size_t> left_, count_;
+};
+
+// Stacks layers until all are placed.
+Filling stack(const Case& c, const Group& group, std::uint64_t key) {
   Filling f;
-  std::vector<std::size_t> left;
-  for (const SpeciesIndex s : group.members) left.push_back(c.species[s].count);
-  const auto share_left = [&](std::size_t m) {
-    const std::size_t count = c.species[group.members[m]].count;
-    return count > 0 ? static_cast<double>(left[m]) / static_cast<double>(count) : 0.0;
-  };
+  Turns turns(c, group);
   int empty = 0;
   for (std::uint64_t number = 0; empty < most_empty_layers; ++number) {
-    std::size_t next = 0;
-    for (std::size_t m = 1; m < left.size(); ++m)
-      if (share_left(m) > share_left(next)) next = m;
-    if (left[next] == 0) return f;
+    const std::size_t next = turns.next();
+    if (turns.left(next) == 0) return f;
     const SpeciesIndex s = group.members[next];
     const double diameter = c.species[s].diameter;
     const double z = f.height + 0.5 * diameter;
-    const auto places = layer(group.ground, diameter, z, left[next],
+    const auto places = layer(group.ground, diameter, z, turns.left(next),
                               Random(c.seed, Purpose::insertion, key, number));
     empty = places.empty() ? empty + 1 : 0;
     if (places.empty()) continue;
     f.height += layer_spacing * diameter;
-    left[next] -= places.size();
-    for (const Vec3& x : places) f.placed.push_back({s, x});
+    turns.take(next, places.size());
+    for (const Vec3& x : places) f.placed.push_back({s, 0.5 * diameter, x});
     if (f.height <= group.ground.height) f.fitting = f.placed.size();
   }
   f.is_too_narrow = true;
   return f;
 }
 
-void place(Particles& p, const Case& c, const Placed& placed, double radius) {
+// Lets all down one by one, for sizes that differ.
+Filling let_down(const Case& c, const Group& group, std::uint64_t key) {
+  Filling f;
+  std::vector<double> radii;
+  Turns turns(c, group);
+  for (std::size_t m = turns.next(); turns.left(m) > 0; m = turns.next()) {
+    const Species& species = c.species[group.members[m]];
+    radii.push_back(
+        0.5 * (species.diameters.empty() ? species.diameter : species.diameters[turns.placed(m)]));
+    f.placed.push_back({group.members[m], radii.back(), Vec3::Zero()});
+    turns.take(m, 1);
+  }
+  const std::vector<Vec3> places = deposit(group.ground, radii, c.seed, key);
+  f.is_too_narrow = places.size() < f.placed.size();
+  f.placed.resize(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    f.placed[k].position = places[k];
+    const double top = places[k][2] + radii[k] - group.ground.centre[2];
+    f.height = std::max(f.height, top);
+    f.fitting += top <= group.ground.height ? 1 : 0;
+  }
+  return f;
+}
+
+Filling fill(const Case& c, const Group& group, std::uint64_t key) {
+  const bool differ = std::any_of(group.members.begin(), group.members.end(),
+                                  [&](SpeciesIndex s) { return !c.species[s].diameters.empty(); });
+  return differ ? let_down(c, group, key) : stack(c, group, key);
+}
+
+void place(Particles& p, const Case& c, const Placed& placed) {
+  const double radius = placed.radius;
   const Species& species = c.species[placed.species];
   const std::size_t i = p.size();
   resize(p, i + 1);
@@ -176,11 +198,10 @@ Particles place_all(const Case& c, std::vector<Fault>& faults) {
                             " particles; all of them need a height of " +
                             std::to_string(1e3 * f.height) + " mm instead of " +
                             std::to_string(1e3 * group.ground.height) + " mm"});
-    for (const Placed& placed : f.placed)
-      place(p, c, placed, 0.5 * c.species[placed.species].diameter);
+    for (const Placed& placed : f.placed) place(p, c, placed);
   }
   for (const ExplicitParticle& e : c.particles) {
-    place(p, c, {e.species, e.position}, e.radius.value_or(0.5 * c.species[e.species].diameter));
+    place(p, c, {e.species, e.radius.value_or(0.5 * c.species[e.species].diameter), e.position});
     p.velocity.back() = e.velocity;
     p.spin.back() = e.spin;
     if (e.temperature) p.temperature.back() = *e.temperature;

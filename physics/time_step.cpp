@@ -1,5 +1,7 @@
 #include "physics/time_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,13 +50,28 @@ double hertz_contact_time(const HertzPair& p, double speed) {
 TimeStepReport time_step(const Case& c) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   TimeStepReport report{0.0, infinity, 0.0, "", infinity};
-  for (const Species& species : c.species) narrow(report, c, species, 0.5 * species.diameter);
+  for (const Species& species : c.species)
+    if (const double d = smallest_diameter(species); d > 0.0) narrow(report, c, species, 0.5 * d);
   for (const ExplicitParticle& p : c.particles)
     if (p.radius) narrow(report, c, c.species[p.species], *p.radius);
   const MechanicsModel& model = c.models.mechanics;
-  report.step = model.time_step.value_or(model.fraction_of_rayleigh * report.smallest_rayleigh);
+  double automatic = model.fraction_of_rayleigh * report.smallest_rayleigh;
+  if (model.impact_speed)  // the duration goes with the speed to the power of -1/5
+    automatic = std::min(automatic, report.hertz_contact_time *
+                                        std::pow(*model.impact_speed, -0.2) / steps_of_a_contact);
+  report.step = model.time_step.value_or(automatic);
   report.fraction = report.step / report.smallest_rayleigh;
   return report;
+}
+
+std::string time_step_fault(const Case& c) {
+  const TimeStepReport report = time_step(c);
+  if (c.models.mechanics.allows_long_step || !(report.fraction > largest_fraction)) return "";
+  return fmt::format(
+      "{:.4g} us are {:.0f} % of the Rayleigh step of {}; wanted at most {:.0f} %, {:.4g} us, or "
+      "allow_long_time_step = true",
+      1e6 * report.step, 100.0 * report.fraction, report.species, 100.0 * largest_fraction,
+      1e6 * largest_fraction * report.smallest_rayleigh);
 }
 
 }  // namespace pmr::physics

@@ -21,13 +21,24 @@ double hertz_contact_time(const HertzPair& pair, double speed);
 double hertz_peak_overlap(const HertzPair& pair, double speed);  // d_max [m]
 double hertz_peak_force(const HertzPair& pair, double speed);    // [N] 4/3 Y* sqrt(R*) d_max^(3/2)
 
+// Steps that a Hertz contact at the case's impact speed is resolved with at least [1] (assumed; 20
+// steps keep the restitution of Hertz contacts within 1 %, see verify's mechanics checks).
+inline constexpr double steps_of_a_contact = 20.0;
+// Largest part of the Rayleigh step that is taken without being asked for [1]; 0.2 to 0.4 is the
+// usual advice (Ning & Ghadiri 2006; Burns, Piiroinen & Hanley 2019).
+inline constexpr double largest_fraction = 0.40;
+
 struct TimeStepReport {
-  double step;                // [s] of the case: explicit, or its fraction of the smallest critical
+  double step;  // [s] explicit; or the case's fraction of the smallest critical step, and at most a
+                // twentieth of a Hertz contact at its impact speed
   double smallest_rayleigh;   // [s] smallest critical step over all particles
   double fraction;            // [1] step / smallest_rayleigh
   std::string species;        // whose critical step is the smallest
   double hertz_contact_time;  // [s] shortest contact of like particles at 1 m/s
 };
 TimeStepReport time_step(const Case& c);
+
+// What is wrong with the case's time step: above 40 % of Rayleigh and not asked for; or "".
+std::string time_step_fault(const Case& c);
 
 }  // namespace pmr::physics

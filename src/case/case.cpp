@@ -7,6 +7,7 @@
 
 #include "case/parts.hpp"
 #include "case/walls.hpp"
+#include "physics/time_step.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -38,9 +39,13 @@ Node* child(Node& node, const std::string& key) {
 
 // File names become absolute, so that the text alone is the case. True if any changed.
 bool make_files_absolute(Node& root, const fs::path& base_dir) {
-  bool changed = false;
+  bool changed = make_absolute(child(root, "bed"), base_dir);
   if (Node* particles = child(root, "particles"); particles != nullptr)
     changed |= make_absolute(child(*particles, "csv"), base_dir);
+  if (Node* species = child(root, "species"); species != nullptr)
+    for (auto& [name, one] : species->members)
+      if (Node* size = child(one, "size"); size != nullptr)
+        changed |= make_absolute(child(*size, "csv"), base_dir);
   if (Node* walls = child(root, "walls"); walls != nullptr)
     for (auto& [name, wall] : walls->members)
       changed |= make_absolute(child(wall, "file"), base_dir);
@@ -88,6 +93,16 @@ void check_whole(Table& root, const Case& made) {
   }
 }
 
+// At the place of the time step, or of what is there of its table.
+void check_time_step(Reading& reading, const Node& document, const Case& made) {
+  const std::string problem = physics::time_step_fault(made);
+  if (problem.empty()) return;
+  const Node* at = &document;
+  for (const char* key : {"models", "mechanics", "time_step"})
+    if (const Node* inner = at->find(key); inner != nullptr) at = inner;
+  reading.fault(at->place, "models.mechanics.time_step", problem);
+}
+
 Case read_case(Reading& reading, const Node& document, const fs::path& base_dir) {
   Case made{};
   Table root(reading, document, "");
@@ -95,6 +110,7 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   made.description = root.word_or("description", "");
   made.seed = root.count("seed", 0, 1);
   made.gravity = read_gravity(root);
+  made.bed = root.word_or("bed", "");
   made.models = read_models(root);
   reading.provenance = &made.provenance;
   MaterialBook book(reading, root, made.provenance);
@@ -106,7 +122,8 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   read_domain(root, rig, rig_is_faulty, made);
   if (rig) build_rig(*rig, made.walls);
   read_walls(root, setting, made.walls);
-  made.species = read_species(root, book, rig, rig_is_faulty);
+  made.species =
+      read_species(root, book, {rig, rig_is_faulty, !made.bed.empty(), base_dir, made.seed});
   made.particles = read_particles(root, base_dir, made.species);
   made.fill = read_fill(root);
   made.mix = read_mix(root);
@@ -116,7 +133,8 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   made.thermocouples = read_thermocouples(root);
   made.output = read_output(root);
   made.materials = book.finish(made.models);
-  if (reading.faults() == 0 && root.has("species")) count_explicit(root, made);
+  if (reading.faults() == 0 && root.has("species") && made.bed.empty()) count_explicit(root, made);
+  if (reading.faults() == 0 && made.bed.empty()) check_time_step(reading, document, made);
   check_whole(root, made);
   return made;
 }

@@ -16,22 +16,30 @@ struct Column {
   double offset = 0.0, factor = 1.0;  // SI = offset + factor * number
 };
 
-const std::vector<std::string> known_columns{"species", "x",  "y",  "z",  "vx",          "vy",
-                                             "vz",      "wx", "wy", "wz", "temperature", "radius"};
-
-Dimension dimension_of(const std::string& column) {
-  if (column.size() == 1 || column == "radius") return Dimension::length;
-  if (column == "temperature") return Dimension::temperature;
-  return column[0] == 'v' ? Dimension::speed : Dimension::spin;
-}
+const std::vector<NumberColumn> particle_columns{{"species", Dimension::none},
+                                                 {"x", Dimension::length},
+                                                 {"y", Dimension::length},
+                                                 {"z", Dimension::length},
+                                                 {"vx", Dimension::speed},
+                                                 {"vy", Dimension::speed},
+                                                 {"vz", Dimension::speed},
+                                                 {"wx", Dimension::spin},
+                                                 {"wy", Dimension::spin},
+                                                 {"wz", Dimension::spin},
+                                                 {"temperature", Dimension::temperature},
+                                                 {"radius", Dimension::length}};
 
 class Sheet {
  public:
-  Sheet(Reading& reading, std::string file) : reading_(reading), file_(std::move(file)) {}
+  Sheet(Reading& reading, std::string file, std::vector<NumberColumn> known)
+      : reading_(reading), file_(std::move(file)), known_(std::move(known)) {}
 
   void read_header(const std::string& line) {
     for (const std::string& cell : cells_of(line)) columns_.push_back(read_column(cell));
-    for (const char* name : {"species", "x", "y", "z"})
+  }
+
+  void require(std::initializer_list<const char*> names) {
+    for (const char* name : names)
       if (std::none_of(columns_.begin(), columns_.end(),
                        [&](const Column& column) { return column.name == name; }))
         fault(1, name, "the column is missing");
@@ -39,13 +47,8 @@ class Sheet {
 
   ExplicitParticle read_row(unsigned line_number, const std::string& line,
                             std::span<const Species> species) {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string> cells = row_of(line_number, line);
     ExplicitParticle particle{0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), {}, {}};
-    if (cells.size() != columns_.size()) {
-      fault(line_number, "",
-            fmt::format("has {} cells; the header has {}", cells.size(), columns_.size()));
-      return particle;
-    }
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (columns_[k].name == "species")
         particle.species =
@@ -56,7 +59,32 @@ class Sheet {
     return particle;
   }
 
+  // The numbers of a row, each to its column in the order of the known ones.
+  void read_numbers(unsigned line_number, const std::string& line,
+                    std::vector<std::vector<double>>& columns) {
+    const std::vector<std::string> cells = row_of(line_number, line);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto at = find(columns_[k].name) - known_.begin();
+      columns[static_cast<std::size_t>(at)].push_back(
+          read_number(line_number, columns_[k], cells[k]));
+    }
+  }
+
  private:
+  std::vector<NumberColumn>::const_iterator find(const std::string& name) const {
+    return std::find_if(known_.begin(), known_.end(),
+                        [&](const NumberColumn& column) { return column.name == name; });
+  }
+
+  // As many cells as the header has, or none after a fault.
+  std::vector<std::string> row_of(unsigned line_number, const std::string& line) {
+    std::vector<std::string> cells = cells_of(line);
+    if (cells.size() == columns_.size()) return cells;
+    fault(line_number, "",
+          fmt::format("has {} cells; the header has {}", cells.size(), columns_.size()));
+    return {};
+  }
+
   void fault(unsigned line, const std::string& key, const std::string& problem) {
     reading_.fault({file_, line, 1}, key, problem);
   }
@@ -64,16 +92,19 @@ class Sheet {
   Column read_column(const std::string& cell) {
     const Heading heading = heading_of(cell);
     Column column{heading.name};
-    if (std::find(known_columns.begin(), known_columns.end(), column.name) == known_columns.end()) {
-      fault(1, column.name, unknown_word("column", column.name, known_columns));
+    const auto known = find(column.name);
+    if (known == known_.end()) {
+      std::vector<std::string> names;
+      for (const NumberColumn& one : known_) names.push_back(one.name);
+      fault(1, column.name, unknown_word("column", column.name, names));
       return column;
     }
-    if (column.name == "species") return column;
+    const Dimension dimension = known->dimension;
+    if (dimension == Dimension::none && !heading.unit) return column;
     if (!heading.unit) {
       fault(1, column.name, "has no unit; wanted such as 'x [mm]'");
       return column;
     }
-    const Dimension dimension = dimension_of(column.name);
     const Quantities ends = reading_.units.parse("0 1 " + *heading.unit, dimension);
     if (!ends.problem.empty()) {
       fault(1, column.name, ends.problem);
@@ -109,7 +140,8 @@ class Sheet {
 
   Reading& reading_;
   std::string file_;
-  std::vector<Column> columns_;
+  std::vector<NumberColumn> known_;
+  std::vector<Column> columns_;  // of the file
 };
 
 }  // namespace
@@ -135,13 +167,32 @@ std::vector<ExplicitParticle> read_particles_csv(Reading& reading,
     reading.fault({file.string()}, "", "cannot be read, or is empty");
     return particles;
   }
-  Sheet sheet(reading, file.string());
+  Sheet sheet(reading, file.string(), particle_columns);
   const std::size_t before = reading.faults();
   sheet.read_header(line);
+  sheet.require({"species", "x", "y", "z"});
   if (reading.faults() != before) return particles;
   for (unsigned number = 2; std::getline(in, line); ++number)
     if (!trimmed(line).empty()) particles.push_back(sheet.read_row(number, line, species));
   return particles;
+}
+
+std::optional<std::vector<std::vector<double>>> read_number_csv(
+    Reading& reading, const std::filesystem::path& file, const std::vector<NumberColumn>& wanted) {
+  std::ifstream in(file);
+  std::string line;
+  if (!in || !std::getline(in, line)) {
+    reading.fault({file.string()}, "", "cannot be read, or is empty");
+    return std::nullopt;
+  }
+  Sheet sheet(reading, file.string(), wanted);
+  const std::size_t before = reading.faults();
+  sheet.read_header(line);
+  std::vector<std::vector<double>> columns(wanted.size());
+  for (unsigned number = 2; reading.faults() == before && std::getline(in, line); ++number)
+    if (!trimmed(line).empty()) sheet.read_numbers(number, line, columns);
+  if (reading.faults() != before) return std::nullopt;
+  return columns;
 }
 
 }  // namespace pmr::casefile

@@ -34,9 +34,13 @@ MechanicsModel read_mechanics(Table& models) {
   const Node* node = models.look_table("mechanics");
   Table table(models.reading(), node == nullptr ? defaults : *node, models.path("mechanics"));
   MechanicsModel mechanics{};
-  mechanics.time_step = table.maybe("time_step", a_duration);
+  const Node* step = table.look("time_step");
+  if (step != nullptr && !(step->kind == Node::Kind::string && step->text == "auto"))
+    mechanics.time_step = table.value("time_step", a_duration);
+  mechanics.allows_long_step = table.flag("allow_long_time_step", false);
+  mechanics.impact_speed = table.maybe("impact_speed", {Dimension::speed, positive});
   mechanics.fraction_of_rayleigh =
-      table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.19);
+      table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.189);
   mechanics.skin = table.value("skin", a_positive_number, 0.3);
   return mechanics;
 }

@@ -11,8 +11,15 @@
 namespace pmr::casefile {
 
 // species.cpp
-std::vector<Species> read_species(Table& root, MaterialBook& book, const std::optional<Rig>& rig,
-                                  bool rig_is_faulty);
+// What the rest of the case says about where particles come from.
+struct ParticleSetting {
+  const std::optional<Rig>& rig;
+  bool rig_is_faulty;
+  bool has_bed;
+  const std::filesystem::path& base_dir;
+  std::uint64_t seed;
+};
+std::vector<Species> read_species(Table& root, MaterialBook& book, const ParticleSetting& setting);
 std::vector<ExplicitParticle> read_particles(Table& root, const std::filesystem::path& base_dir,
                                              std::span<const Species> species);
 // Counts the explicit particles of species without a region.

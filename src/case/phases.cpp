@@ -30,7 +30,9 @@ std::optional<MixPhase> read_mix(Table& root) {
   if (node == nullptr) return std::nullopt;
   Table table(root.reading(), *node, "mix");
   MixPhase mix{};
-  mix.duration = table.value("duration", a_duration);
+  // A settled bed may go straight on to the reaction.
+  mix.duration =
+      table.value("duration", {Dimension::time, root.has("bed") ? not_negative : positive});
   mix.not_before = table.value("not_before", {Dimension::time, not_negative}, 0.0);
   mix.rest = read_rest(table);
   mix.heat_interval = table.value("heat_interval", a_duration, 0.02);

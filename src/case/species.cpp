@@ -6,6 +6,7 @@
 #include "case/csv.hpp"
 #include "case/nearest.hpp"
 #include "case/parts.hpp"
+#include "case/sizes.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t most_species = 255;  // SpeciesIndex is a byte
 constexpr double densest_random = 0.64;    // [1] solid fraction of random close packing
 constexpr double most_particles = 4.0e9;   // ParticleId is 32 bits
+constexpr double most_drawn = 4.0e8;       // [1] typical particles; their sizes are kept in memory
 
 double sphere_volume(double diameter) { return pi / 6.0 * diameter * diameter * diameter; }  // [m3]
 
@@ -86,7 +88,7 @@ void check_room(Table& table, const Species& species) {
   if (!species.region) return;
   const double room =
       std::visit([](const auto& region) { return volume_of(region); }, *species.region);
-  const double solid = static_cast<double>(species.count) * sphere_volume(species.diameter);
+  const double solid = solid_volume(species);
   if (solid > densest_random * room)
     table.fault("region", fmt::format("{} particles of {:.4g} mm do not fit: they are {:.4g} cm3 "
                                       "of solid, the region holds at most {:.4g} cm3",
@@ -113,20 +115,67 @@ void read_amount(Table& table, const Material& material, Species& species) {
   if (count >= 1.0 && count <= most_particles) species.count = static_cast<std::size_t>(count);
 }
 
-Species read_one(Table& table, const std::string& name, MaterialBook& book,
-                 const std::optional<Rig>& rig, bool rig_is_faulty) {
+// mass: particles are drawn until it is met as closely as one particle allows.
+void draw_amount(Table& table, const physics::SizeDistribution& sizes,
+                 const physics::SizeSample& sample, Species& species) {
+  const double typical = sample.density * sphere_volume(physics::diameter_at(sizes, 0.5));
+  const bool by_count = table.has("count");
+  if (by_count && table.has("mass")) table.fault("count", "wanted mass or count, not both");
+  if (!species.region) table.fault("size", "wanted a region to draw particles for");
+  if (by_count) {
+    table.look("mass");
+    species.diameters = physics::sizes_of_count(sizes, sample, table.count("count", 1));
+  } else {
+    const double mass = table.value("mass", {Dimension::mass, positive});
+    if (mass > most_drawn * typical)
+      table.fault("mass", "makes too many particles");
+    else
+      species.diameters = physics::sizes_of_mass(sizes, sample, mass);
+    species.requested_mass = mass;
+  }
+  species.count = species.diameters.size();
+  if (species.count == 0) return;
+  species.diameter = physics::sauter_diameter(species.diameters);
+  if (by_count) species.requested_mass = sample.density * solid_volume(species);
+}
+
+// Size and amount; those of the bed stand where there is one.
+void read_particles_of(Table& table, const Material& material, std::size_t index,
+                       const ParticleSetting& at, Species& species) {
+  if (at.has_bed) {
+    for (const char* unread : {"mass", "count", "size"}) table.look(unread);
+    species.diameter = table.value("diameter", a_length, 0.0);
+    return;
+  }
+  if (table.has("size")) {
+    const auto sizes = read_sizes(table, at.base_dir);
+    if (table.look("diameter") != nullptr) table.fault("size", "wanted diameter or size, not both");
+    if (sizes)
+      draw_amount(table, *sizes, {at.seed, index, material.density}, species);
+    else
+      for (const char* unread : {"mass", "count"}) table.look(unread);
+  } else {
+    table.look("size");
+    species.diameter = table.value("diameter", a_length);
+    read_amount(table, material, species);
+  }
+  check_room(table, species);
+}
+
+Species read_one(Table& table, const std::string& name, std::size_t index, MaterialBook& book,
+                 const ParticleSetting& at) {
   Species species{};
   species.name = name;
   species.material = book.use(table, "material", MaterialBook::Role::particle);
-  species.diameter = table.value("diameter", a_length);
+  species.dump_type = static_cast<std::uint32_t>(table.count("dump_type", 1, 0));
   species.initial_temperature = table.value("temperature", a_temperature);
-  species.region = read_region(table, rig, rig_is_faulty);
+  species.region = read_region(table, at.rig, at.rig_is_faulty);
   if (table.node().find("material") == nullptr || book.empty()) {
     table.ignore_rest();
     return species;
   }
   const Material& material = book[species.material];
-  read_amount(table, material, species);
+  read_particles_of(table, material, index, at, species);
   if (material.redox) {
     species.initial_delta = read_delta(table);
     const double* delta = std::get_if<double>(&species.initial_delta);
@@ -136,8 +185,15 @@ Species read_one(Table& table, const std::string& name, MaterialBook& book,
     table.look("delta");
     table.fault("delta", fmt::format("material '{}' holds no oxygen to give", material.name));
   }
-  check_room(table, species);
   return species;
+}
+
+void check_dump_types(Table& root, const std::vector<Species>& all) {
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (all[k].dump_type != 0 && all[k].dump_type == all[j].dump_type)
+        root.fault("species", fmt::format("{} and {} have the same dump_type {}", all[j].name,
+                                          all[k].name, all[k].dump_type));
 }
 
 ExplicitParticle read_particle(Table& table, std::span<const Species> species) {
@@ -156,13 +212,13 @@ ExplicitParticle read_particle(Table& table, std::span<const Species> species) {
 
 }  // namespace
 
-std::vector<Species> read_species(Table& root, MaterialBook& book, const std::optional<Rig>& rig,
-                                  bool rig_is_faulty) {
+std::vector<Species> read_species(Table& root, MaterialBook& book, const ParticleSetting& at) {
   std::vector<Species> all;
   root.need_table("species");
   for_each_table(root, "species", [&](Table& table, const std::string& name) {
-    all.push_back(read_one(table, name, book, rig, rig_is_faulty));
+    all.push_back(read_one(table, name, all.size(), book, at));
   });
+  check_dump_types(root, all);
   if (all.size() > most_species) root.fault("species", "wanted at most 255 species");
   return all;
 }

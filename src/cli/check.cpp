@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "case/case.hpp"
 #include "cli/console.hpp"
+#include "cli/start.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/nodes.hpp"
 #include "coupling/thermal_state.hpp"
-#include "physics/insertion.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"
-#include "pmr/base/errors.hpp"
 #include "sim/schedule.hpp"
 
 namespace pmr::cli {
@@ -28,15 +26,20 @@ std::string grouped(std::size_t value) {
   return text;
 }
 
+// "2.99 mm", or "2.1 to 3.9 mm (Sauter 2.99 mm)".
+std::string sizes_of(const Species& species) {
+  const double smallest = smallest_diameter(species), largest = largest_diameter(species);
+  if (smallest == largest) return fmt::format("{:.4g} mm", 1e3 * smallest);
+  return fmt::format("{:.4g} to {:.4g} mm (Sauter {:.4g} mm)", 1e3 * smallest, 1e3 * largest,
+                     1e3 * species.diameter);
+}
+
 std::size_t print_species(const Case& c) {
   std::size_t total = 0;
   for (const Species& species : c.species) {
     const Material& material = c.materials.list[species.material];
-    const double r = 0.5 * species.diameter;
-    const double mass = material.density * 4.0 / 3.0 * pi * r * r * r;
-    fmt::print("{:12} {:>9} particles of {:.4g} mm, {:.6g} kg in all, {:.1f} degC", species.name,
-               grouped(species.count), 1e3 * species.diameter,
-               static_cast<double>(species.count) * mass,
+    fmt::print("{:12} {:>9} particles of {}, {:.6g} kg in all, {:.1f} degC", species.name,
+               grouped(species.count), sizes_of(species), material.density * solid_volume(species),
                species.initial_temperature - zero_celsius);
     if (material.redox) fmt::print(", delta {:.4f}", coupling::initial_delta(c, species));
     fmt::print("\n");
@@ -63,12 +66,10 @@ void print_forecast(const Case& c, std::size_t particles, double step) {
 }  // namespace
 
 int check(const std::filesystem::path& case_file, const std::vector<std::string>& sets) {
-  const Case c = casefile::load_case(case_file, sets);
-  auto faults = physics::insertion_faults(c);
-  for (Fault& fault : faults) fault.where = case_file.string();
-  if (!faults.empty()) throw CaseError(std::move(faults));
-
+  const Start start = read_start(case_file, sets);
+  const Case& c = start.setup;
   fmt::print("{}\n", c.title);
+  if (start.bed) fmt::print("bed          {}\n", start.bed->description);
   const std::size_t particles = print_species(c);
   const auto step = physics::time_step(c);
   fmt::print("time step    {:.4g} us = {:.1f} % of Rayleigh (smallest {:.4g} us, {})\n",

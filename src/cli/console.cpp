@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/start.hpp"
 #include "cli/verbs.hpp"
 #include "pmr/base/errors.hpp"
 #include "version.hpp"
@@ -43,6 +44,7 @@ struct Parser {
     run_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
         ->expected(1)
         ->take_all();
+    add_bed(run_verb);
     run_verb->add_option("--threads", run_options.threads, "threads [all cores]")
         ->check(CLI::Range(0, 1024));
     run_verb->callback([this] { action = [this] { return run(run_options); }; });
@@ -62,6 +64,7 @@ struct Parser {
     check_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
         ->expected(1)
         ->take_all();
+    add_bed(check_verb);
     check_verb->callback(
         [this] { action = [this] { return check(run_options.case_file, run_options.sets); }; });
   }
@@ -69,6 +72,12 @@ struct Parser {
   void add_reference(CLI::App* verb) {
     verb->add_option("--reference", wishes.reference,
                      "CSV of mass ratios to compare the bed with [the case's]");
+  }
+
+  void add_bed(CLI::App* verb) {
+    verb->add_option_function<std::string>(
+        "--bed", [this](const std::string& bed) { run_options.sets.push_back(bed_setting(bed)); },
+        "start from the settled bed of a run folder, or from a text dump");
   }
 
   void add_looks() {

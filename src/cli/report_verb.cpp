@@ -8,6 +8,7 @@
 #include "cli/console.hpp"
 #include "cli/machine.hpp"
 #include "cli/mixture_print.hpp"
+#include "cli/start.hpp"
 #include "cli/verbs.hpp"
 #include "coupling/nodes.hpp"
 #include "instruments/course.hpp"
@@ -40,7 +41,7 @@ int render(const RenderOptions& options) {
 
 int analyse(const fs::path& folder, const fs::path& reference) {
   const io::RunHeader header = io::read_header(folder);
-  Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  Case c = case_of_run(folder);
   if (!reference.empty()) casefile::set_reference(c, reference, folder.string());
   const State state = io::load_checkpoint(folder);
   instruments::write_instruments(folder, c, io::read_series(folder), state.particles);

@@ -6,15 +6,14 @@
 #include <fstream>
 #include <system_error>
 
-#include "case/case.hpp"
 #include "cli/console.hpp"
 #include "cli/finish.hpp"
 #include "cli/log.hpp"
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
+#include "cli/start.hpp"
 #include "cli/verbs.hpp"
 #include "io/run_file.hpp"
-#include "physics/insertion.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/parallel.hpp"
 
@@ -73,37 +72,41 @@ int carry_out(sim::Simulation& simulation, const RunRecord& record) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  const Case c = casefile::load_case(options.case_file, options.sets);
-  if (auto faults = physics::insertion_faults(c); !faults.empty()) {
-    for (Fault& fault : faults) fault.where = options.case_file.string();
-    throw CaseError(std::move(faults));
-  }
+  Start start = read_start(options.case_file, options.sets);
+  const Case& c = start.setup;
   const fs::path folder =
       options.folder.empty() ? fs::path("out") / options.case_file.stem() : options.folder;
   prepare_folder(folder);
   const ThreadLimit limit(options.threads);
   open_log(folder);
   log_info(fmt::format("{}: {}", options.case_file.string(), c.title));
-  const RunRecord record{folder, provenance(options.command, c.text)};
+  RunRecord record{folder, provenance(options.command, c.text)};
+  if (start.bed) {
+    record.provenance["bed"] = start.bed->description;
+    record.provenance["bed_hash"] = hexadecimal(start.bed->hash);
+    log_info("bed      " + start.bed->description);
+  }
   io::RunHeader header{c.text, record.provenance, {}, {}};
   for (const Species& species : c.species) header.species.push_back(species.name);
   for (const auto& patch : coupling::number_nodes(c, 0).patches)
     header.patches.push_back(patch.name);
   io::create_run(folder, header);
-  sim::Simulation simulation(c, folder);
+  auto simulation =
+      start.bed ? sim::Simulation(c, folder, std::move(*start.bed)) : sim::Simulation(c, folder);
   return carry_out(simulation, record);
 }
 
 int resume(const fs::path& folder, int threads, const std::string& command) {
   if (!io::has_checkpoint(folder)) refuse(folder, "holds no checkpoint to go on from");
-  const io::RunHeader header = io::read_header(folder);
-  const Case c = casefile::load_case_text(header.case_text, (folder / "run.h5").string(), folder);
+  const Case c = case_of_run(folder);
   State state = io::load_checkpoint(folder);
   io::drop_after(folder, state.time);
   const ThreadLimit limit(threads);
   open_log(folder);
   log_info(fmt::format("{}: goes on from t = {:.6g} s", c.title, state.time));
-  const RunRecord record{folder, provenance(command, c.text)};
+  RunRecord record{folder, provenance(command, c.text)};
+  for (const auto& [key, value] : io::read_header(folder).provenance)
+    if (key.rfind("bed", 0) == 0) record.provenance[key] = value;
   sim::Simulation simulation(c, folder, std::move(state));
   return carry_out(simulation, record);
 }

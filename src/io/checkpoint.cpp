@@ -117,6 +117,7 @@ void save_checkpoint(const std::filesystem::path& dir, const State& state) {
   H5File file = H5File::create(replacement.temporary());
   set_format(file, format, version);
   for_each_field(state.particles, Writer(file, "/particles/"));
+  if (state.waiting.size() > 0) for_each_field(state.waiting, Writer(file, "/waiting/"));
   for_each_contact_field(state.pair_contacts, Writer(file, "/pair_contacts/"));
   for_each_contact_field(state.wall_contacts, Writer(file, "/wall_contacts/"));
   for_each_ordered_field(state, Writer(file, "/"));
@@ -131,6 +132,7 @@ State load_checkpoint(const std::filesystem::path& dir) {
   require_format(file, format, version);
   State state;
   for_each_field(state.particles, Reader(file, "/particles/"));
+  if (file.has("/waiting")) for_each_field(state.waiting, Reader(file, "/waiting/"));
   for_each_contact_field(state.pair_contacts, Reader(file, "/pair_contacts/"));
   for_each_contact_field(state.wall_contacts, Reader(file, "/wall_contacts/"));
   for_each_ordered_field(state, Reader(file, "/"));

@@ -71,6 +71,7 @@ std::uint64_t state_hash(const State& state) {
   Hash hash;
   const Order order = order_by_id(state.particles);
   add_particles(hash, state.particles, order);
+  if (state.waiting.size() > 0) add_particles(hash, state.waiting, order_by_id(state.waiting));
   add_contacts(hash, state.pair_contacts, order);
   add_contacts(hash, state.wall_contacts, order);
   for_each_ordered_field(

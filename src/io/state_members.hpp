@@ -52,10 +52,9 @@ void for_each_book_field(S& state, Visitor&& visit) {
 // All of the state but particles, contacts and lost particles, whose order needs care.
 template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
-  auto& [time, phase, step, interval, rest_since, settled_at, set_point_at,
-         elastic_energy, network_step, particles,
-         pair_contacts, wall_contacts, walls, gas, exchange, fluxes, opening, extremes, lost] =
-      state;
+  auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, elastic_energy,
+         network_step, particles, waiting, pair_contacts, wall_contacts, walls, gas, exchange, fluxes,
+         opening, extremes, lost] = state;
   visit("time", "s", time);
   visit("phase", "1", phase);
   visit("step", "1", step);

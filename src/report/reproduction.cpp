@@ -25,6 +25,8 @@ std::string facts(const RunData& run) {
   static constexpr Row wanted[] = {{"version", "version"},
                                    {"git", "source revision"},
                                    {"case_hash", "hash of the case"},
+                                   {"bed", "bed taken from"},
+                                   {"bed_hash", "hash of that file"},
                                    {"state_hash", "hash of the final state"},
                                    {"threads", "threads"},
                                    {"machine", "machine"},

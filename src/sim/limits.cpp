@@ -15,8 +15,7 @@
 namespace pmr::sim {
 namespace {
 
-constexpr double largest_overlap = 0.05;   // [1] of the radius; common limit of soft spheres
-constexpr double largest_fraction = 0.40;  // [1] of the Rayleigh step
+constexpr double largest_overlap = 0.05;  // [1] of the radius; common limit of soft spheres
 
 void check_mechanics(const Case& c, const State& state, std::vector<std::string>& limits) {
   if (state.extremes.overlap_ratio > largest_overlap)
@@ -25,7 +24,7 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
                     "model is trusted up to 5 %.",
                     100.0 * state.extremes.overlap_ratio));
   const double fraction = physics::time_step(c).fraction;
-  if (fraction > largest_fraction)
+  if (fraction > physics::largest_fraction)
     limits.push_back(
         fmt::format("The time step is {:.0f} % of the Rayleigh step; above 40 % it "
                     "may be unstable.",

@@ -31,6 +31,14 @@ void Schedule::begin(State& state) const {
   if (state.phase == Phase::react) state.settled_at = state.time;
 }
 
+void Schedule::begin_with_bed(State& state, double rms_speed) const {
+  state.phase = case_.mix ? Phase::mix : phase_after(case_, Phase::mix);
+  if (state.phase == Phase::react)
+    state.settled_at = state.time;
+  else
+    move_on(state, rms_speed);
+}
+
 double Schedule::end() const {
   if (case_.react) return case_.react->end;
   return case_.mix ? case_.mix->duration : 0.0;

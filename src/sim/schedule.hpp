@@ -25,6 +25,9 @@ class Schedule {
   Schedule(const Case& c, double time_step) : case_(c), time_step_(time_step) {}
 
   void begin(State& state) const;  // first phase and time of the case
+  // Likewise for a bed read from elsewhere, at its own time: no fill, and no mix where its time is
+  // over or the bed has been at rest long enough.
+  void begin_with_bed(State& state, double rms_speed) const;
   Interval next(const State& state) const;
   // Rest, ends of phases: called after each interval. True when a phase has ended.
   bool move_on(State& state, double rms_speed) const;

@@ -18,12 +18,22 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir)
       schedule_(c, mechanics_.time_step()),
       recorder_(case_, nodes_, std::move(dir)) {
   state_.particles = physics::insert(c);
-  nodes_ = coupling::number_nodes(c, state_.particles.size());
-  coupling::begin_thermal_state(c, nodes_, state_);
   schedule_.begin(state_);
-  recorder_.start_from(state_);
-  recorder_.record(state_, true);
-  recorder_.checkpoint(state_);
+  open();
+}
+
+Simulation::Simulation(const Case& c, std::filesystem::path dir, Bed bed)
+    : case_(c),
+      mechanics_(c),
+      schedule_(c, mechanics_.time_step()),
+      recorder_(case_, nodes_, std::move(dir)) {
+  state_.time = bed.time;
+  state_.rest_since = bed.rest_since;
+  state_.particles = std::move(bed.particles);
+  state_.pair_contacts = std::move(bed.pair_contacts);
+  state_.wall_contacts = std::move(bed.wall_contacts);
+  schedule_.begin_with_bed(state_, physics::rms_speed(state_.particles));
+  open();
 }
 
 Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
@@ -34,6 +44,15 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
       nodes_(coupling::number_nodes(c, state_.opening.particles)),
       recorder_(case_, nodes_, std::move(dir)) {
   recorder_.start_from(state_);
+}
+
+// Heat, books and the first record of a run that begins.
+void Simulation::open() {
+  nodes_ = coupling::number_nodes(case_, state_.particles.size());
+  coupling::begin_thermal_state(case_, nodes_, state_);
+  recorder_.start_from(state_);
+  recorder_.record(state_, true);
+  recorder_.checkpoint(state_);
 }
 
 // One step of the reactor.

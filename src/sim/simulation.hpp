@@ -10,6 +10,7 @@
 #include "pmr/base/timer.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
+#include "sim/bed.hpp"
 #include "sim/recorder.hpp"
 #include "sim/schedule.hpp"
 
@@ -21,6 +22,8 @@ class Simulation {
  public:
   // A fresh run: fills in the particles. CaseError when they do not fit.
   Simulation(const Case& c, std::filesystem::path dir);
+  // A fresh run with particles that are there already.
+  Simulation(const Case& c, std::filesystem::path dir, Bed bed);
   // Goes on from a checkpoint of the same case.
   Simulation(const Case& c, std::filesystem::path dir, State state);
 
@@ -39,6 +42,7 @@ class Simulation {
   double end() const { return schedule_.end(); }               // [s]
 
  private:
+  void open();
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);
   void exchange_heat(const Interval& interval);

@@ -13,7 +13,12 @@ Case one_species(Material material, double radius) {
   material.accommodation = 0.9;
   c.materials.list = {std::move(material)};
   c.materials.pairs = {{0.3, 0.1, 0.5}};
-  c.species = {{"ball", 0, 2.0 * radius, 0, 0.0, 300.0, 0.3, std::nullopt}};
+  Species ball{};
+  ball.name = "ball";
+  ball.diameter = 2.0 * radius;
+  ball.initial_temperature = 300.0;
+  ball.initial_delta = 0.3;
+  c.species = {ball};
   c.domain_low = Vec3(-1, -1, -1);
   c.domain_high = Vec3(1, 1, 1);
   c.models.network = {1e-7, 1e-4, 1e-8};

@@ -54,3 +54,15 @@ TEST_CASE("written TOML holds the values it was made from") {
   CHECK(casefile::write_toml(casefile::parse_toml(written, "y")) == written);
   CHECK_THAT(written, Contains("-0.1") && Contains("1e+300") && Contains("[\"odd|key\".inner]"));
 }
+
+TEST_CASE("A time step is automatic unless given, and no longer than 40 % of Rayleigh") {
+  CHECK_FALSE(load(small_case).models.mechanics.time_step);
+  CHECK_FALSE(load(small_case, {"models.mechanics.time_step=\"auto\""}).models.mechanics.time_step);
+  CHECK(load(small_case).models.mechanics.fraction_of_rayleigh == 0.189);  // Richter et al.
+  const std::string step = "models.mechanics.time_step=\"0.1 ms\"";  // 45 % for beads of 2.99 mm
+  const auto faults = faults_of(small_case, {step});
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Contains("models.mechanics.time_step") &&
+                            Contains("Rayleigh step of bead") && Contains("allow_long_time_step"));
+  CHECK(faults_of(small_case, {step, "models.mechanics.allow_long_time_step=true"}).empty());
+}

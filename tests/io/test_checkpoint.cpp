@@ -35,6 +35,7 @@ std::map<std::string, std::string> all_bits(const State& state) {
     };
   };
   for_each_field(state.particles, visit("particles/"));
+  for_each_field(state.waiting, visit("waiting/"));
   io::for_each_contact_field(state.pair_contacts, visit("pair/"));
   io::for_each_contact_field(state.wall_contacts, visit("wall/"));
   io::for_each_ordered_field(state, visit(""));
@@ -62,7 +63,10 @@ void require_round_trip(const State& state) {
 }  // namespace
 
 TEST_CASE("A checkpoint gives back a random state bit for bit") {
-  require_round_trip(test::random_state(2500, 11));
+  State state = test::random_state(2500, 11);
+  require_round_trip(state);
+  state.waiting = test::random_state(40, 14).particles;
+  require_round_trip(state);
 }
 
 TEST_CASE("A checkpoint gives back a bed of more than one chunk") {

@@ -5,6 +5,7 @@
 
 #include "mechanics_scene.hpp"
 #include "physics/neighbours.hpp"
+#include "physics/size_distribution.hpp"
 #include "pmr/base/constants.hpp"
 
 using namespace pmr;
@@ -122,4 +123,33 @@ TEST_CASE("Pairs within reach agree with looking at all pairs") {
     CHECK(same);
     CHECK(k == pairs.size());
   }
+}
+
+TEST_CASE("Spheres of many sizes fill a tube in turns, apart from each other") {
+  Case c = tube(1.5e-3, 0, 0.08);
+  const physics::SizeDistribution sizes =
+      physics::cut_at_tails(physics::LogNormalSizes{1.5e-3, 0.25});
+  c.species[0].diameters = physics::sizes_of_count(sizes, {c.seed, 0, 3500.0}, 3000);
+  c.species[0].count = 3000;
+  const Particles p = physics::insert(c);
+  REQUIRE(p.size() == 3000);
+  CHECK(physics::pairs_within(p, 0.0).empty());
+  double top = 0.0, deepest = 1.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    CHECK(2.0 * p.radius[i] == c.species[0].diameters[i]);
+    const double r = (p.position[i] - Vec3(0.01, 0, 0)).head<2>().norm();
+    CHECK(r - p.radius[i] >= 0.002);
+    CHECK(r + p.radius[i] <= 0.012);
+    top = std::max(top, p.position[i][2] + p.radius[i] - 0.02);
+    deepest = std::min(deepest, p.position[i][2] - p.radius[i] - 0.02);
+  }
+  CHECK(deepest == Approx(0.0).margin(1e-12));
+  // No looser than twice a settled bed of 0.6.
+  const double solid = solid_volume(c.species[0]) / (pi * (0.012 * 0.012 - 0.002 * 0.002) * top);
+  INFO("solid fraction " << solid);
+  CHECK(solid > 0.3);
+  c.species[0].region = CylinderRegion{Vec3(0.01, 0, 0.02), 0.012, 0.002, 0.015};
+  const auto faults = physics::insertion_faults(c);
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0].problem, Catch::Contains("of 3000") && Catch::Contains("need a height"));
 }

@@ -5,7 +5,14 @@
 
 namespace pmr {
 
-enum class Purpose : std::uint64_t { insertion = 1, rays = 2, quasi_shift = 3, test = 99 };
+enum class Purpose : std::uint64_t {
+  insertion = 1,
+  rays = 2,
+  quasi_shift = 3,
+  sizes = 4,
+  pouring = 5,
+  test = 99
+};
 
 constexpr std::uint64_t mix64(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;

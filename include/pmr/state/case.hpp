@@ -1,5 +1,6 @@
 // A case: all that a run is made from. Plain data in SI, filled by src/case, read by everyone.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "pmr/base/constants.hpp"
 #include "pmr/base/vec3.hpp"
 #include "pmr/state/materials.hpp"
 #include "pmr/state/particles.hpp"
@@ -27,6 +29,16 @@ struct BoxRegion {
 };
 using Region = std::variant<CylinderRegion, BoxRegion>;
 
+// Particles that rain into the run one after another, from anywhere in the region, and fall freely
+// until they meet something.
+struct Pour {
+  Region region;
+  double mass_rate;      // [kg/s] or else ...
+  double particle_rate;  // [1/s] ... this; the other is NaN
+  Vec3 velocity;         // [m/s] on entry
+  double begin;          // [s] the first enters; minus infinity: when the run begins
+};
+
 // Initial delta is given, or is the equilibrium with pO2 at a temperature.
 struct EquilibriumDelta {
   double temperature;      // [K] of the equilibrium (the freeze-in temperature of a cold charge)
@@ -37,13 +49,32 @@ using InitialDelta = std::variant<double, EquilibriumDelta>;
 struct Species {
   std::string name;
   std::uint32_t material;
-  double diameter;               // [m]
-  std::size_t count;             // [1] from the case's count, or round(mass / particle mass)
-  double requested_mass;         // [kg] as asked; count * particle mass where a count was given
-  double initial_temperature;    // [K]
-  InitialDelta initial_delta;    // [1], ignored for inert materials
-  std::optional<Region> region;  // where they are filled in; none: explicit particles only
+  double diameter;                // [m] of every particle; the Sauter diameter where they differ
+  std::vector<double> diameters;  // [m] of each particle where they differ, else empty
+  std::size_t count;              // [1] of particles
+  double requested_mass;          // [kg] as asked; mass of all particles where a count was given
+  double initial_temperature;     // [K]
+  InitialDelta initial_delta;     // [1], ignored for inert materials
+  std::optional<Region> region;   // where they are filled in; none: explicit particles only
+  std::optional<Pour> pour;       // they come in while the run moves
+  std::uint32_t dump_type;        // [1] atom type in a text dump that a bed is read from; 0: none
 };
+
+inline double smallest_diameter(const Species& s) {  // [m]
+  return s.diameters.empty() ? s.diameter
+                             : *std::min_element(s.diameters.begin(), s.diameters.end());
+}
+inline double largest_diameter(const Species& s) {  // [m]
+  return s.diameters.empty() ? s.diameter
+                             : *std::max_element(s.diameters.begin(), s.diameters.end());
+}
+inline double solid_volume(const Species& s) {  // [m3] of all its particles
+  const auto sphere = [](double d) { return pi / 6.0 * d * d * d; };
+  if (s.diameters.empty()) return static_cast<double>(s.count) * sphere(s.diameter);
+  double sum = 0.0;
+  for (const double d : s.diameters) sum += sphere(d);
+  return sum;
+}
 
 struct ExplicitParticle {
   SpeciesIndex species;
@@ -97,6 +128,8 @@ struct MechanicsModel {
   std::optional<double> time_step;  // [s]; none: fraction_of_rayleigh
   double fraction_of_rayleigh;      // [1] of the smallest critical step
   double skin;                      // [1] of the smallest radius, of a bed at rest
+  std::optional<double> impact_speed = std::nullopt;  // [m/s] of contacts to be resolved
+  bool allows_long_step = false;                      // an explicit step above the stable range
 };
 struct ConductionModel {
   bool contact;               // solid contacts
@@ -160,6 +193,7 @@ struct Case {
   Materials materials;
   std::vector<Species> species;
   std::vector<ExplicitParticle> particles;
+  std::string bed;  // run folder or text dump whose particles open the run; "": they are inserted
   Walls walls;
   std::optional<FillPhase> fill;
   std::optional<MixPhase> mix;

@@ -117,6 +117,7 @@ struct State {
   double elastic_energy = 0.0;  // [J] of the Hertz springs of all contacts
   double network_step = 0.0;  // [s] CVODE's last step, tried first in the next interval
   Particles particles;
+  Particles waiting;  // still to be poured in, by id: the order of their entry
   ContactHistory pair_contacts;
   ContactHistory wall_contacts;
   WallNodes walls;
