@@ -5,6 +5,7 @@
 
 #include "physics/deposition.hpp"
 #include "physics/neighbours.hpp"
+#include "physics/pouring.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
 
@@ -240,6 +241,7 @@ void find_overlaps(const Case& c, const Particles& p, std::vector<Fault>& faults
 
 Particles place_and_check(const Case& c, std::vector<Fault>& faults) {
   Particles p = place_all(c, faults);
+  for (Fault& fault : pouring_faults(c)) faults.push_back(std::move(fault));
   find_places_outside(c, p, faults);
   if (p.size() > 1) find_overlaps(c, p, faults);
   return p;

@@ -16,8 +16,9 @@ namespace pmr::physics {
 // chemistry stay zero, except the temperature. Throws CaseError with insertion_faults.
 Particles insert(const Case& c);
 
-// Regions that are too small (with what fits and the height it takes), particles outside the
-// domain, particles that overlap by more than a tenth of the smaller radius.
+// Sources that cannot pour (physics/pouring.hpp), regions that are too small (with what fits and
+// the height it takes), particles outside the domain, particles that overlap by more than a tenth
+// of the smaller radius.
 std::vector<Fault> insertion_faults(const Case& c);
 
 }  // namespace pmr::physics

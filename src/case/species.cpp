@@ -6,6 +6,7 @@
 #include "case/csv.hpp"
 #include "case/nearest.hpp"
 #include "case/parts.hpp"
+#include "case/regions.hpp"
 #include "case/sizes.hpp"
 #include "pmr/base/constants.hpp"
 
@@ -30,53 +31,6 @@ InitialDelta read_delta(Table& table) {
   Table inner(table.reading(), *node, table.path("delta"));
   return EquilibriumDelta{inner.value("equilibrium_at", a_temperature),
                           inner.value("oxygen", {Dimension::pressure, positive})};
-}
-
-std::optional<Region> rig_region(Table& table, const Rig& rig) {
-  const std::string name = table.word("rig", "the name of a valve");
-  std::vector<std::string> names;
-  for (const Valve& valve : rig.valves) {
-    if (valve.name == name) return tube_region(rig.size, valve);
-    names.push_back(valve.name);
-  }
-  table.fault("rig", unknown_word("valve", name, names));
-  return std::nullopt;
-}
-
-Region read_cylinder(Table& table) {
-  CylinderRegion region{};
-  region.base = table.vector("base", Dimension::length);
-  region.radius = table.value("radius", a_length);
-  region.inner_radius = table.value("inner_radius", {Dimension::length, not_negative}, 0.0);
-  region.height = table.value("height", a_length);
-  if (region.inner_radius >= region.radius) table.fault("inner_radius", "wanted below radius");
-  return region;
-}
-
-Region read_box(Table& table) {
-  const BoxRegion region{table.vector("low", Dimension::length),
-                         table.vector("high", Dimension::length)};
-  if ((region.high - region.low).minCoeff() <= 0.0)
-    table.fault("high", "wanted each component above low");
-  return region;
-}
-
-// {rig = "Al2O3"}, or a cylinder (base, radius, height), or a box (low, high).
-std::optional<Region> read_region(Table& species, const std::optional<Rig>& rig,
-                                  bool rig_is_faulty) {
-  const Node* node = species.look_table("region");
-  if (node == nullptr) return std::nullopt;
-  Table table(species.reading(), *node, species.path("region"));
-  if (table.has("rig") && rig_is_faulty) {
-    table.ignore_rest();
-    return std::nullopt;
-  }
-  if (table.has("rig") && rig) return rig_region(table, *rig);
-  if (table.has("low") || table.has("high")) return read_box(table);
-  if (!table.has("rig")) return read_cylinder(table);
-  table.word("rig", "");
-  table.fault("rig", "the case has no [rig]");
-  return std::nullopt;
 }
 
 double volume_of(const CylinderRegion& r) {  // [m3]
@@ -107,7 +61,8 @@ void read_amount(Table& table, const Material& material, Species& species) {
     species.requested_mass = static_cast<double>(species.count) * each;
     return;
   }
-  if (!species.region && !table.has("mass") && !table.has("region")) return;  // explicit ones only
+  const bool is_explicit = !table.has("region") && !table.has("pour") && !table.has("mass");
+  if (is_explicit) return;
   species.requested_mass = table.value("mass", {Dimension::mass, positive});
   const double count = std::round(species.requested_mass / each);
   if (count > most_particles) table.fault("mass", "makes too many particles");
@@ -121,7 +76,8 @@ void draw_amount(Table& table, const physics::SizeDistribution& sizes,
   const double typical = sample.density * sphere_volume(physics::diameter_at(sizes, 0.5));
   const bool by_count = table.has("count");
   if (by_count && table.has("mass")) table.fault("count", "wanted mass or count, not both");
-  if (!species.region) table.fault("size", "wanted a region to draw particles for");
+  if (!species.region && !species.pour)
+    table.fault("size", "wanted a region or pour to draw particles for");
   if (by_count) {
     table.look("mass");
     species.diameters = physics::sizes_of_count(sizes, sample, table.count("count", 1));
@@ -170,6 +126,9 @@ Species read_one(Table& table, const std::string& name, std::size_t index, Mater
   species.dump_type = static_cast<std::uint32_t>(table.count("dump_type", 1, 0));
   species.initial_temperature = table.value("temperature", a_temperature);
   species.region = read_region(table, at.rig, at.rig_is_faulty);
+  species.pour = read_pour(table);
+  if (table.has("region") && table.has("pour"))
+    table.fault("pour", "wanted region or pour, not both");
   if (table.node().find("material") == nullptr || book.empty()) {
     table.ignore_rest();
     return species;
@@ -253,10 +212,11 @@ void count_explicit(Table& root, Case& made) {
     const auto fault = [&](const std::string& problem) {
       root.reading().fault(root.node().find("species")->place, "species." + species.name, problem);
     };
-    if (species.region && count[k] > 0)
-      fault("has a region and explicit particles; wanted one of them");
-    if (species.region) continue;
-    if (count[k] == 0) fault("has no particles: wanted a region, or [[particles]] of it");
+    const bool is_filled = species.region || species.pour;
+    if (is_filled && count[k] > 0)
+      fault("has a region or pour and explicit particles; wanted one of them");
+    if (is_filled) continue;
+    if (count[k] == 0) fault("has no particles: wanted a region, pour, or [[particles]] of it");
     if (species.count != 0 && species.count != count[k])
       fault(fmt::format("asks for {} particles, but {} are given one by one", species.count,
                         count[k]));

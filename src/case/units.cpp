@@ -48,6 +48,7 @@ constexpr std::array names{
     DimensionName{Dimension::density, "a density", "kg/m3", "3690 kg/m3"},
     DimensionName{Dimension::volume, "a volume", "m3", "1.5 l"},
     DimensionName{Dimension::flow, "a pumping speed", "m3/s", "0.1 m3/s"},
+    DimensionName{Dimension::mass_rate, "a mass rate", "kg/s", "50 g/s"},
     DimensionName{Dimension::heat_capacity, "a heat capacity", "J/kg/K", "900 J/kg/K"},
     DimensionName{Dimension::molar_heat_capacity, "a molar heat capacity or entropy", "J/mol/K",
                   "102.4 J/mol/K"},

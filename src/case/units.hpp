@@ -22,6 +22,7 @@ enum class Dimension {
   density,
   volume,
   flow,
+  mass_rate,
   heat_capacity,
   molar_heat_capacity,
   molar_energy,

@@ -40,10 +40,10 @@ void print_headline(const sim::Simulation& simulation, const sim::Balance& balan
     log_info(fmt::format("oxygen   {:.6g} mol released, {:.4g} kJ of reaction heat",
                          state.fluxes.oxygen_released, 1e-3 * state.fluxes.reaction));
   if (sim::has_heat(simulation.setup()))
-    log_info(
-        fmt::format("books    energy {:.1e}, oxygen {:.1e}, particles {} in, {} alive, {} lost",
-                    balance.energy_relative, balance.oxygen_relative, balance.inserted,
-                    balance.alive, balance.lost));
+    log_info(fmt::format("books    energy {:.1e}, oxygen {:.1e}", balance.energy_relative,
+                         balance.oxygen_relative));
+  log_info(fmt::format("counts   {} particles, {} alive, {} lost, {} yet to come", balance.inserted,
+                       balance.alive, balance.lost, balance.waiting));
   const auto& work = simulation.network_work();
   if (work.steps > 0)
     log_info(fmt::format("network  {} steps, {} Newton and {} Krylov iterations", work.steps,

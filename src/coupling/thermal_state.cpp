@@ -41,10 +41,7 @@ chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t
   return chemistry::solid_of(material_of(c, particles, i), particles.mass[i], particles.iron[i]);
 }
 
-void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
-  std::vector<double> delta;
-  for (const Species& species : c.species) delta.push_back(initial_delta(c, species));
-  Particles& p = state.particles;
+void begin_particles(const Case& c, const std::vector<double>& delta, Particles& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Material& material = material_of(c, p, i);
     p.delta[i] = delta[p.species[i]];
@@ -52,10 +49,17 @@ void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
         material.redox ? p.mass[i] / chemistry::molar_mass(*material.redox, p.delta[i]) : 0.0;
     p.enthalpy[i] = chemistry::enthalpy(solid_of(c, p, i), p.temperature[i], p.delta[i]);
   }
+}
+
+void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
+  std::vector<double> delta;
+  for (const Species& species : c.species) delta.push_back(initial_delta(c, species));
+  begin_particles(c, delta, state.particles);
+  begin_particles(c, delta, state.waiting);
   begin_walls(nodes, state.walls);
   state.opening.energy = stored_energy(state);
-  state.opening.oxygen = bound_oxygen(c, p);
-  state.opening.particles = p.size();
+  state.opening.oxygen = bound_oxygen(c, state.particles) + bound_oxygen(c, state.waiting);
+  state.opening.particles = state.particles.size() + state.waiting.size();
 }
 
 void renew_masses(const Case& c, Particles& particles) {
@@ -69,8 +73,10 @@ void renew_masses(const Case& c, Particles& particles) {
 
 double stored_energy(const State& state) {
   const auto& enthalpy = state.particles.enthalpy;
+  const auto& waiting = state.waiting.enthalpy;
   const auto& cells = state.walls.cell_energy;
   return parallel_sum(enthalpy.size(), [&](std::size_t i) { return enthalpy[i]; }) +
+         parallel_sum(waiting.size(), [&](std::size_t i) { return waiting[i]; }) +
          parallel_sum(cells.size(), [&](std::size_t k) { return cells[k]; }) + state.gas.energy;
 }
 

@@ -10,8 +10,8 @@ namespace pmr::coupling {
 // Initial delta of a species [1]: as given, or equilibrium (chemistry/redox.hpp); 0 if inert.
 double initial_delta(const Case& c, const Species& species);
 
-// Fills iron, delta and enthalpy of freshly inserted particles, whose temperatures are set, and the
-// walls' profiles; writes State::opening.
+// Fills iron, delta and enthalpy of fresh particles, those that wait to be poured too, whose
+// temperatures are set, and the walls' profiles; writes State::opening.
 void begin_thermal_state(const Case& c, const Nodes& nodes, State& state);
 
 // The solid of particle at index i.
@@ -20,7 +20,7 @@ chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t
 // Mass of a particle [kg] from its iron and delta; inert particles keep theirs.
 void renew_masses(const Case& c, Particles& particles);
 
-double stored_energy(const State& state);                           // [J] particles, walls, gas
+double stored_energy(const State& state);  // [J] particles, waiting, walls, gas
 double bound_oxygen(const Case& c, const Particles& particles);     // [mol O2] in the solids
 double gas_free_volume(const Case& c, const Particles& particles);  // [m3] chamber less solids
 

@@ -23,7 +23,8 @@ Balance close_books(const Case& c, const State& state) {
                       f.to_surroundings + f.gas_energy_out - f.gas_energy_in + f.lost_energy;
   b.energy_relative = relative(b.energy_residual, f.heat_exchanged);
 
-  const double solids = coupling::bound_oxygen(c, state.particles) - state.opening.oxygen +
+  const double solids = coupling::bound_oxygen(c, state.particles) +
+                        coupling::bound_oxygen(c, state.waiting) - state.opening.oxygen +
                         f.oxygen_released + f.lost_oxygen;
   const double gas = state.gas.oxygen - (f.oxygen_released - f.oxygen_to_air + f.oxygen_closed_in +
                                          f.oxygen_leaked - f.oxygen_pumped);
@@ -34,6 +35,7 @@ Balance close_books(const Case& c, const State& state) {
   b.inserted = state.opening.particles;
   b.alive = state.particles.size();
   b.lost = state.lost.size();
+  b.waiting = state.waiting.size();
   return b;
 }
 

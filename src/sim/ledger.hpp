@@ -16,10 +16,10 @@ struct Balance {
   double energy_relative;  // [1] of the heat exchanged between all nodes
   double oxygen_residual;  // [mol] the larger of the solids' and the gas'
   double oxygen_relative;  // [1] of what was released, or of the air shut in if that is more
-  std::uint64_t inserted, alive, lost;
+  std::uint64_t inserted, alive, lost, waiting;  // waiting: yet to be poured in
   bool closes() const {
     return energy_relative <= energy_limit && oxygen_relative <= oxygen_limit &&
-           inserted == alive + lost;
+           inserted == alive + lost + waiting;
   }
 };
 

@@ -29,6 +29,9 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
         fmt::format("The time step is {:.0f} % of the Rayleigh step; above 40 % it "
                     "may be unstable.",
                     100.0 * fraction));
+  if (state.waiting.size() > 0)
+    limits.push_back(
+        fmt::format("{} particles were still to be poured in at the end.", state.waiting.size()));
   if (!state.lost.empty())
     limits.push_back(fmt::format("{} particles left the domain; the first, {}, at t = {:.4g} s.",
                                  state.lost.size(), state.lost.front().id,

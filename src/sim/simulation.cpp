@@ -1,6 +1,7 @@
 #include "sim/simulation.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "chemistry/chamber.hpp"
 #include "coupling/heat_links.hpp"
@@ -16,8 +17,10 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir)
     : case_(c),
       mechanics_(c),
       schedule_(c, mechanics_.time_step()),
+      entries_(physics::entries(c)),
       recorder_(case_, nodes_, std::move(dir)) {
   state_.particles = physics::insert(c);
+  state_.waiting = physics::waiting_particles(c, static_cast<ParticleId>(state_.particles.size()));
   schedule_.begin(state_);
   open();
 }
@@ -26,6 +29,7 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, Bed bed)
     : case_(c),
       mechanics_(c),
       schedule_(c, mechanics_.time_step()),
+      entries_(physics::entries(c)),
       recorder_(case_, nodes_, std::move(dir)) {
   state_.time = bed.time;
   state_.rest_since = bed.rest_since;
@@ -41,6 +45,7 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
       state_(std::move(state)),
       mechanics_(c),
       schedule_(c, mechanics_.time_step()),
+      entries_(physics::entries(c)),
       nodes_(coupling::number_nodes(c, state_.opening.particles)),
       recorder_(case_, nodes_, std::move(dir)) {
   recorder_.start_from(state_);
@@ -48,7 +53,7 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
 
 // Heat, books and the first record of a run that begins.
 void Simulation::open() {
-  nodes_ = coupling::number_nodes(case_, state_.particles.size());
+  nodes_ = coupling::number_nodes(case_, state_.particles.size() + state_.waiting.size());
   coupling::begin_thermal_state(case_, nodes_, state_);
   recorder_.start_from(state_);
   recorder_.record(state_, true);
@@ -58,17 +63,31 @@ void Simulation::open() {
 // One step of the reactor.
 void Simulation::step() {
   const Interval interval = schedule_.next(state_);
+  if (interval.moves()) pour();
   if (interval.moves()) move(interval);
   if (interval.closes_chamber) coupling::close_chamber(case_, state_);
   if (interval.heats) retrace_if_due(interval);
   if (interval.heats) exchange_heat(interval);
   if (!interval.moves()) state_.time = interval.end;
   ++state_.interval;
-  const bool phase_ended = schedule_.move_on(state_, physics::rms_speed(state_.particles));
+  const bool is_pouring = state_.waiting.size() > 0;  // not at rest, whatever moves
+  const bool phase_ended =
+      schedule_.move_on(state_, is_pouring ? std::numeric_limits<double>::infinity()
+                                           : physics::rms_speed(state_.particles));
   recorder_.record(state_, interval.takes_snapshot || phase_ended);
 }
 
+// Particles that are due come in; exchange factors are traced anew with them.
+void Simulation::pour() {
+  const StageTimer timer(timings_, "pouring");
+  if (physics::pour(case_, entries_, state_) > 0) state_.exchange = {};
+}
+
 void Simulation::move(const Interval& interval) {
+  if (state_.particles.size() == 0) {  // none has come in yet
+    state_.time = interval.end;
+    return;
+  }
   const Holdings before = holdings(case_, state_.particles);
   const std::size_t lost = state_.lost.size();
   mechanics_.advance(state_, interval.sub_steps, timings_);

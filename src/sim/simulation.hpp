@@ -7,6 +7,7 @@
 #include "coupling/network.hpp"
 #include "coupling/nodes.hpp"
 #include "physics/mechanics.hpp"
+#include "physics/pouring.hpp"
 #include "pmr/base/timer.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
@@ -43,6 +44,7 @@ class Simulation {
 
  private:
   void open();
+  void pour();
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);
   void exchange_heat(const Interval& interval);
@@ -52,6 +54,7 @@ class Simulation {
   State state_;
   physics::Mechanics mechanics_;
   Schedule schedule_;
+  std::vector<physics::Entry> entries_;  // of particles to be poured in
   coupling::Nodes nodes_;
   Recorder recorder_;
   Timings timings_;

@@ -205,6 +205,7 @@ Json books_of(const SummaryInput& in) {
                        {"in the chamber", state.gas.oxygen}};
   const Json count = {{"inserted", state.opening.particles},
                       {"alive", state.particles.size()},
+                      {"waiting", state.waiting.size()},
                       {"lost", state.lost.size()}};
   return {{"energy", energy}, {"oxygen", oxygen}, {"particles", count}};
 }
