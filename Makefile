@@ -1,13 +1,14 @@
 # Two commands do everything on a fresh Debian 12 machine:
 #   make run     installs packages if missing, builds, runs the small reactor, names its report
 #   make test    the same, then all tests but the slow ones
+# make bench compares the speed with LIGGGHTS.
 CASE  ?= cases/demonstrator-small.toml
 OUT   ?= out/$(basename $(notdir $(CASE)))
 BUILD ?= build/release
 JOBS  ?= $(shell nproc)
 PMR    = $(BUILD)/src/cli/pmr
 
-.PHONY: run test test-slow build packages verify format clean
+.PHONY: run test test-slow build packages verify bench bench-bed format clean
 .DEFAULT_GOAL := build
 
 packages:
@@ -29,6 +30,13 @@ test-slow: build
 
 verify: build
 	@$(PMR) verify
+
+# Against LIGGGHTS (docs/benchmarks.md); BENCH="--sizes 3862 --samples 1" for a part.
+bench: build
+	@python3 bench/mechanics.py $(BENCH)
+
+bench-bed: build
+	@python3 bench/settled_bed.py $(BENCH)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

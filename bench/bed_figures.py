@@ -1,4 +1,4 @@
-"""Figures of a settled bed on the floor z = 0 of an upright cylinder, from its particles. SI units."""
+"""Figures of a settled bed on the floor z = 0 of an upright cylinder. SI units."""
 
 import math
 from typing import NamedTuple
@@ -49,7 +49,8 @@ def contacts(bed: list[Particle]) -> int:
     cells: dict[tuple, list[Particle]] = {}
     for p in bed:
         cells.setdefault(tuple(int(x // edge) for x in p.position), []).append(p)
-    ahead = [(a, b, c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1) if (a, b, c) > (0, 0, 0)]
+    near = (-1, 0, 1)
+    ahead = [(a, b, c) for a in near for b in near for c in near if (a, b, c) > (0, 0, 0)]
     found = 0
     for (i, j, k), mine in cells.items():
         found += sum(_touch(p, q) for n, p in enumerate(mine) for q in mine[:n])

@@ -66,9 +66,8 @@ def weight(times: float) -> str:
 
 def drag(relaxation: float) -> str:
     """Drag that slows every grain down with that time constant [s]."""
-    masses = [g.density * 4.18879020478639098 * (g.diameter / 2)**3 for g in GRAINS]
-    scales = " ".join(f"scale {k} {m / masses[0]!r}" for k, m in enumerate(masses, 1))
-    return f"fix drag all viscous {masses[0] / relaxation!r} {scales}\n"
+    scales = " ".join(f"scale {k} {g.mass / GRAINS[0].mass!r}" for k, g in enumerate(GRAINS, 1))
+    return f"fix drag all viscous {GRAINS[0].mass / relaxation!r} {scales}\n"
 
 
 def dump_now(file: str) -> str:

@@ -1,5 +1,6 @@
-"""What a measurement is good for."""
+"""Where and when a measurement was made."""
 
+import datetime
 from pathlib import Path
 
 
@@ -8,3 +9,8 @@ def processor() -> str:
     names = [line.split(": ", 1)[1] for line in Path("/proc/cpuinfo").read_text().splitlines()
              if line.startswith("model name")]
     return f"{names[0]}, {len(names)} cores" if names else "unknown processor"
+
+
+def now() -> str:
+    """UTC."""
+    return datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")

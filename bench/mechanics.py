@@ -5,8 +5,7 @@ Alternates between the codes on 1 and 2 cores, three times. Goes on where an int
 same pmr on the same machine has stopped.
 """
 
-import csv
-import datetime
+import os
 import statistics
 import sys
 from pathlib import Path
@@ -16,26 +15,11 @@ import liggghts
 import machine
 import pmr
 import scenarios
+import table
 
-COLUMNS = ("date machine compiler version scenario particles code cores sample steps seconds "
-           "particle_steps_per_second state_hash").split()
+BUSY = 0.5  # load average of a machine that does something else
 CODES = ("pmr", "liggghts")
 RESULTS = Path(__file__).resolve().parent / "results" / "mechanics.csv"
-
-
-def read_rows(file: Path) -> list[dict]:
-    if not file.exists():
-        return []
-    with file.open(newline="") as lines:
-        return list(csv.DictReader(lines))
-
-
-def write_rows(file: Path, rows: list[dict]) -> None:
-    file.parent.mkdir(parents=True, exist_ok=True)
-    with file.open("w", newline="") as out:
-        writer = csv.DictWriter(out, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def measure(code: str, cores: int, inputs: scenarios.Inputs) -> dict:
@@ -58,13 +42,14 @@ def sample_key(row: dict) -> tuple:
 
 
 def wanted_samples(options) -> list[dict]:
-    return [{"scenario": name, "particles": particles, "sample": sample, "cores": cores, "code": code,
-             "steps": scenarios.SCENARIOS[name].steps[particles]}
+    return [{"scenario": name, "particles": particles, "code": code, "cores": cores,
+             "sample": sample, "steps": scenarios.SCENARIOS[name].steps[particles]}
             for name, particles in arguments.chosen(options)
-            for sample in range(1, options.samples + 1) for cores in options.cores for code in CODES]
+            for sample in range(1, options.samples + 1)
+            for cores in options.cores for code in CODES]
 
 
-def table(rows: list[dict]) -> str:
+def speeds_by_code(rows: list[dict]) -> str:
     """Medians, million particle-steps/s, and their ratios."""
     speeds: dict[tuple, list[float]] = {}
     for row in rows:
@@ -80,16 +65,13 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines)
 
 
-def hashes_agree(rows: list[dict]) -> bool:
-    """One scenario at one size has one state hash, on any number of threads."""
+def differing_hashes(rows: list[dict]) -> list[tuple]:
+    """Scenarios and sizes at which pmr ended in more than one state, whatever its threads."""
     found: dict[tuple, set] = {}
     for row in rows:
         if row["code"] == "pmr":
             found.setdefault((row["scenario"], row["particles"]), set()).add(row["state_hash"])
-    differing = [key for key, hashes in found.items() if len(hashes) > 1]
-    for name, particles in differing:
-        print(f"state hashes of pmr differ: {name}, {particles} particles", file=sys.stderr)
-    return not differing
+    return [key for key, hashes in found.items() if len(hashes) > 1]
 
 
 def parse():
@@ -108,23 +90,23 @@ def main() -> int:
     options = parse()
     versions = {"pmr": pmr.version(), "liggghts": liggghts.version()}
     processor = machine.processor()
-    known = read_rows(options.output)
-    rows = [r for r in known if r["machine"] == processor and r["version"] in versions.values()]
-    if len(rows) < len(known):
-        print(f"{len(known) - len(rows)} rows of another version or machine make way")
+    if os.getloadavg()[0] > BUSY:
+        print("the machine is busy: these times will not be worth much", file=sys.stderr)
+    rows = table.read_current(options.output, versions.values(), processor)
     done = {sample_key(row) for row in rows}
     for sample in wanted_samples(options):
         if sample_key(sample) in done:
             continue
         inputs = scenarios.prepare(options.work, sample["scenario"], sample["particles"])
-        row = {**sample, **measure(sample["code"], sample["cores"], inputs), "machine": processor,
-               "version": versions[sample["code"]],
-               "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")}
+        row = {"date": machine.now(), "machine": processor, "version": versions[sample["code"]],
+               **sample, **measure(sample["code"], sample["cores"], inputs)}
         rows.append(row)
-        write_rows(options.output, rows)
-        print(*(row[c] for c in COLUMNS[4:12]), flush=True)
-    print(table(rows))
-    return 0 if hashes_agree(rows) else 1
+        table.write(options.output, rows)
+        print(*row.values(), flush=True)
+    print(speeds_by_code(rows))
+    for name, particles in differing_hashes(rows):
+        print(f"state hashes of pmr differ: {name}, {particles} particles", file=sys.stderr)
+    return 1 if differing_hashes(rows) else 0
 
 
 if __name__ == "__main__":

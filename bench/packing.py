@@ -51,34 +51,38 @@ class Box(NamedTuple):
         return tuple(rng.uniform(a + radius, b - radius) for a, b in zip(self.low, self.high))
 
 
+_ROW = 1 << 20  # cells in a row at most
+
+
 class _Cells:
     """Centres of spheres of one size, in cubes of an edge that no sought distance exceeds."""
 
     def __init__(self, edge: float):
         self.edge = edge
-        self.cells: dict[tuple[int, int, int], list[Point]] = {}
+        self.cells: dict[int, list[Point]] = {}
+        near = (0, -1, 1)
+        self.around = [(a * _ROW + b) * _ROW + c for a in near for b in near for c in near]
 
-    def cell(self, p: Point) -> tuple[int, int, int]:
-        return int(p[0] // self.edge), int(p[1] // self.edge), int(p[2] // self.edge)
+    def cell(self, p: Point) -> int:
+        x, y, z = p
+        return int((x // self.edge * _ROW + y // self.edge) * _ROW + z // self.edge)
 
     def add(self, p: Point) -> None:
         self.cells.setdefault(self.cell(p), []).append(p)
 
     def is_free(self, p: Point, distance: float) -> bool:
         x, y, z = p
-        i, j, k = self.cell(p)
+        cell, found = self.cell(p), self.cells.get
         squared = distance * distance
-        for a in (i, i - 1, i + 1):
-            for b in (j, j - 1, j + 1):
-                for c in (k, k - 1, k + 1):
-                    for q in self.cells.get((a, b, c), ()):
-                        if (x - q[0])**2 + (y - q[1])**2 + (z - q[2])**2 < squared:
-                            return False
+        for step in self.around:
+            for u, v, w in found(cell + step, ()):
+                if (x - u) * (x - u) + (y - v) * (y - v) + (z - w) * (z - w) < squared:
+                    return False
         return True
 
 
-def pack(regions: list[Region], radii: list[float], counts: list[int], seed: int) -> list[list[Point]]:
-    """Centres [m] of counts[k] spheres of radii[k] in regions[k], for each k; largest radius first."""
+def pack(regions: list[Region], radii, counts, seed: int) -> list[list[Point]]:
+    """Centres [m] of counts[k] spheres of radii[k] [m] in regions[k], for each k; largest first."""
     rng = random.Random(seed)
     placed: list[tuple[float, _Cells]] = []
     centres = []

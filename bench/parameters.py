@@ -1,9 +1,10 @@
 """Parameters of the demonstrator study, the same numbers for both codes. SI units.
 
-Source: Richter, Grobbel, Brendelberger, Roeb, Sattler, Particle mechanics and mixture homogeneity in a
-demonstration reactor system for the indirect reduction of redox particles, tables 1, 2 and A.4.
+Source: Richter, Grobbel, Brendelberger, Roeb, Sattler, Particle mechanics and mixture homogeneity
+in a demonstration reactor system for the indirect reduction of redox particles, tables 1, 2, A.4.
 """
 
+import math
 from typing import NamedTuple
 
 
@@ -11,6 +12,11 @@ class Grain(NamedTuple):
     name: str
     diameter: float  # [m] Sauter diameter, used for all grains of the type
     density: float  # [kg/m3]
+
+    @property
+    def mass(self) -> float:
+        """[kg]"""
+        return self.density * math.pi / 6 * self.diameter**3
 
 
 class Contact(NamedTuple):

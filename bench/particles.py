@@ -1,5 +1,6 @@
-"""Particles and their files: LAMMPS text dumps (read and written) and LIGGGHTS data files. SI units."""
+"""Particles and their files: LAMMPS text dumps, data files of LIGGGHTS. SI units."""
 
+import math
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +19,7 @@ class Particle(NamedTuple):
     @property
     def mass(self) -> float:
         """[kg]"""
-        return GRAINS[self.type - 1].density * 4.18879020478639098 * self.radius**3
+        return GRAINS[self.type - 1].density * 4 / 3 * math.pi * self.radius**3
 
 
 def _triple(values) -> str:

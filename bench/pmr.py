@@ -45,8 +45,8 @@ STATED_DELTA = 0.25  # granules have the density of parameters.py at this delta,
 
 def _species(grain) -> str:
     delta = f"delta = {STATED_DELTA}\n" if grain.name == "SrFeO3" else ""
-    return (f'[species.{grain.name}]\nmaterial = "{grain.name}"\ndiameter = "{grain.diameter!r} m"\n'
-            f'temperature = "20 degC"\n{delta}')
+    return (f'[species.{grain.name}]\nmaterial = "{grain.name}"\n'
+            f'diameter = "{grain.diameter!r} m"\ntemperature = "20 degC"\n{delta}')
 
 
 def _materials() -> str:

@@ -56,8 +56,11 @@ def falling(particles: int, _folder: Path) -> list[Particle]:
 
 
 def settled(particles: int, folder: Path) -> list[Particle]:
-    """At rest, by LIGGGHTS on one rank. To be quick and without splashing the column falls through
-    thick air at ten times the weight, 1 m/s, then rests at its own weight, the air taken away last."""
+    """At rest, by LIGGGHTS on one rank.
+
+    To be quick and not to splash, the column falls through thick air at ten times the weight,
+    1 m/s; then it rests at its own weight, and the air is taken away last.
+    """
     scene = vessel(particles)
     radius = CHAMBER_RADIUS * length_scale(particles)
     write_particles(folder, scene, loose_column(particles, radius, 1.0, SEED))
@@ -98,9 +101,10 @@ def write_walls(folder: Path, scene: Scene) -> None:
 
 
 def _sources() -> str:
-    """Digest of what makes particles: another one, other folders."""
+    """Digest of what makes particles; another one means other folders."""
     here = Path(__file__).resolve().parent
-    text = "".join((here / f"{name}.py").read_text() for name in ("parameters", "packing", "scenes"))
+    names = ("parameters", "packing", "scenes")
+    text = "".join((here / f"{name}.py").read_text() for name in names)
     return hashlib.sha256(text.encode()).hexdigest()[:8]
 
 

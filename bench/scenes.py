@@ -1,4 +1,4 @@
-"""The places of the benchmarks: particles at their start, walls as both codes know them. SI units."""
+"""Places of the benchmarks: particles at their start, walls of both codes. SI units."""
 
 import math
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from parameters import RADII, counts, length_scale
 from particles import Particle
 
 LOOSE = 0.35  # [1] solid fraction of the random packings
-HEADROOM = 0.3  # [m] above the packing for what bounces; 3 m/s rise to 0.46 m, restitution is below 1
+HEADROOM = 0.3  # [m] above the packing for what bounces
 CLEARANCE = 1.0e-5  # [m] between walls and the grains of a loose packing
 
 
