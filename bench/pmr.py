@@ -72,7 +72,7 @@ def case_text(title: str, scene: Scene, steps: int) -> str:
             + "".join(_wall(name, wall, scene.box) for name, wall in scene.walls.items())
             + _materials() + contacts
             + f'[mix]\nduration = "{duration!r} s"\n'
-            f'rest_speed = "1 um/s"\nrest_hold = "{duration!r} s"\n'  # runs to the end
+            f'not_before = "{duration!r} s"\nrest_speed = "1 mm/s"\nrest_hold = "1 ms"\n'
             f'[models.mechanics]\ntime_step = "{TIME_STEP!r} s"\n'
             '[output]\nsnapshot_interval = "1 h"\ncheckpoint_wall_time = "1 h"\n')
 
