@@ -1,6 +1,7 @@
 // Runs pmr as a user would, and catches what it says.
 #pragma once
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -32,7 +33,8 @@ inline const std::filesystem::path source_dir = PMR_SOURCE_DIR;
 struct Scratch {
   std::filesystem::path path;
   explicit Scratch(const std::string& name)
-      : path(std::filesystem::temp_directory_path() / ("pmr-cli-" + name)) {
+      : path(std::filesystem::temp_directory_path() /
+             ("pmr-cli-" + name + "-" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path);
   }

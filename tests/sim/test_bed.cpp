@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "case/case.hpp"
+#include "folder.hpp"
 #include "io/run_file.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/errors.hpp"
@@ -15,6 +16,7 @@
 namespace fs = std::filesystem;
 using namespace pmr;
 using Catch::Contains;
+using pmr::test::Folder;
 
 namespace {
 
@@ -25,15 +27,6 @@ Case tiny(const std::vector<std::string>& sets = {}) {
 }
 
 std::string bed_is(const fs::path& path) { return "bed=\"" + path.string() + "\""; }
-
-struct Folder {
-  fs::path path;
-  explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("pmr-bed-" + name)) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 // A complete run of the tiny case in a folder, with the header that names species and walls.
 State run_tiny(const fs::path& folder, const Case& c) {
@@ -74,7 +67,7 @@ const std::string three =
 
 TEST_CASE("A bed comes from a run bit for bit, with its springs, heated as the case says") {
   const Folder folder("run");
-  const State end = run_tiny(folder.path, tiny());
+  const State end = run_tiny(folder.path, tiny({"react.end=\"0.2 s\""}));
   REQUIRE(end.phase == Phase::done);
   const Case c = tiny({bed_is(folder.path), "species.Al2O3.temperature=\"900 degC\""});
   sim::Bed bed = sim::read_bed(c);
@@ -106,7 +99,7 @@ TEST_CASE("A bed comes from a run bit for bit, with its springs, heated as the c
 
 TEST_CASE("A bed's springs follow their walls by name, and go where the wall is not there") {
   const Folder folder("walls");
-  const State end = run_tiny(folder.path, tiny());
+  const State end = run_tiny(folder.path, tiny({"react.end=\"0.2 s\""}));
   const auto on = [](const ContactHistory& h, std::uint32_t surface) {
     return std::count(h.partner.begin(), h.partner.end(), surface);
   };
@@ -125,7 +118,7 @@ TEST_CASE("A bed's springs follow their walls by name, and go where the wall is 
 
 TEST_CASE("A bed from a run that goes on moving has the same bits on resuming") {
   const Folder source("source"), whole("whole"), cut("cut");
-  run_tiny(source.path, tiny());
+  run_tiny(source.path, tiny({"react.end=\"0.2 s\""}));
   const Case c = tiny({bed_is(source.path), "mix.duration=\"140 ms\"", "mix.not_before=\"140 ms\"",
                        "react.end=\"1 s\""});
   const auto start = [&](const fs::path& folder) {
@@ -196,5 +189,7 @@ TEST_CASE("Beds that cannot be are refused with figures") {
                   "3 1 0.0015 0 0 0.01 0 0 0\n"),
              Contains("1 of 3 particles lie outside the domain"));
   CHECK_THAT(refused(tiny({"bed=\"/nowhere/bed\""})), Contains("does not exist"));
-  CHECK_THAT(refused(tiny({bed_is(folder.path)})), Contains("neither a run folder"));
+  CHECK_THAT(refused(tiny({bed_is(folder.path)})), Contains("holds no checkpoint.h5"));
+  fs::create_directories(folder.path / "empty");
+  CHECK_THAT(refused(tiny({bed_is(folder.path / "empty")})), Contains("neither a run folder"));
 }

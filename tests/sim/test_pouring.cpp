@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "case/case.hpp"
+#include "folder.hpp"
 #include "io/run_file.hpp"
 #include "pmr/base/parallel.hpp"
 #include "sim/ledger.hpp"
@@ -13,6 +14,7 @@
 
 namespace fs = std::filesystem;
 using namespace pmr;
+using pmr::test::Folder;
 
 namespace {
 
@@ -34,17 +36,6 @@ Case rainy() {
   return casefile::load_case_text(rainy_text(), "rainy", {},
                                   std::vector<std::string>{"react.end=\"2 s\""});
 }
-
-struct Folder {
-  fs::path path;
-  explicit Folder(const std::string& name)
-      : path(fs::temp_directory_path() / ("pmr-rain-" + name)) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-    io::create_run(path, {});
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 }  // namespace
 

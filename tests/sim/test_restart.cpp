@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "case/case.hpp"
+#include "folder.hpp"
 #include "io/run_file.hpp"
 #include "pmr/base/parallel.hpp"
 #include "sim/ledger.hpp"
@@ -11,24 +12,13 @@
 
 namespace fs = std::filesystem;
 using namespace pmr;
+using pmr::test::Folder;
 
 namespace {
 
 const std::atomic<bool> never{false};
 
 Case tiny() { return casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml"); }
-
-// A run folder of its own, removed with the value.
-struct Folder {
-  fs::path path;
-  explicit Folder(const std::string& name)
-      : path(fs::temp_directory_path() / ("pmr-test-" + name)) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-    io::create_run(path, {});
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 std::uint64_t hash_of_whole_run(int threads, const std::string& name) {
   const ThreadLimit limit(threads);
