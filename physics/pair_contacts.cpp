@@ -140,55 +140,44 @@ ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, doub
                   .dt = dt});
 }
 
-// Groups hold pairs of one law; those that touch stand before the others, so that groups touch or
-// not as a whole.
+// Groups hold pairs of one law, and pairs that touch apart from others, so that groups touch or not
+// as a whole.
 void PairContacts::thin_out(Lists& lists, const Spheres& s, double closer,
                             const Remembered& springs) const {
   const double skin = std::clamp(steps_of_near_list * closer, thinnest_near_skin * thinnest_,
                                  lists.wide_term.reach);
   lists.near_term = {skin};
-  PairsByLaw touching(laws_.size()), others(laws_.size());
-  for (std::uint32_t row = 0; row < lists.block.size(); ++row) {
-    const std::uint32_t i = lists.block.first + row;
-    const Sphere& a = s.sphere[i];
-    for (const std::uint32_t j : lists.wide.row(row)) {
-      const Sphere& b = s.sphere[j];
-      const double sum = a.radius + b.radius, reach = sum + skin;
-      const double squared = (a.position - b.position).squaredNorm();
-      if (squared >= reach * reach) continue;
-      const auto [low, high] = std::minmax(s.label[i].species, s.label[j].species);
-      (squared < sum * sum ? touching : others)[low * species_ + high].push_back({i, j});
-    }
-  }
+  const std::vector<NearPair> pairs = near_pairs(s, lists.block, lists.wide, skin, species_);
   lists.near.clear();
-  for (std::uint32_t law = 0; law < laws_.size(); ++law) {
-    append(lists, springs, law, touching[law]);
-    append(lists, springs, law, others[law]);
+  for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
+    while (last < pairs.size() && last < first + PairGroup::count &&
+           pairs[last].kind == pairs[first].kind)
+      ++last;
+    lists.near.push_back(group_of({&pairs[first], last - first}, lists.block, springs));
   }
 }
 
-void PairContacts::append(Lists& lists, const Remembered& springs, std::uint32_t law,
-                          std::span<const ListedPair> pairs) {
-  for (std::size_t k = 0; k < pairs.size(); k += PairGroup::count) {
-    PairGroup& group = lists.near.emplace_back();
-    group.law = law;
-    for (std::size_t lane = 0; lane < PairGroup::count; ++lane) {
-      const bool is_used = k + lane < pairs.size();
-      const auto [own, partner] = pairs[is_used ? k + lane : k];
-      const std::uint32_t i = std::min(own, partner), j = std::max(own, partner);
-      group.i[lane] = PairGroup::index_step * i;
-      group.j[lane] = PairGroup::index_step * j;
-      if (!is_used) continue;
-      const auto bit = static_cast<std::uint8_t>(1U << lane);
-      group.used |= bit;
-      if (lists.block.holds(i)) group.own_i |= bit;
-      if (lists.block.holds(j)) group.own_j |= bit;
-      if (const Springs<double>* kept = springs.find(own - lists.block.first, partner)) {
-        put(group, lane, *kept);
-        group.touching |= bit;
-      }
+PairGroup PairContacts::group_of(std::span<const NearPair> pairs, const Block& block,
+                                 const Remembered& springs) {
+  PairGroup group{};
+  group.law = pairs[0].kind / 2;
+  for (std::size_t lane = 0; lane < PairGroup::count; ++lane) {
+    const bool is_used = lane < pairs.size();
+    const auto [own, partner, kind] = pairs[is_used ? lane : 0];
+    const std::uint32_t i = std::min(own, partner), j = std::max(own, partner);
+    group.i[lane] = PairGroup::index_step * i;
+    group.j[lane] = PairGroup::index_step * j;
+    if (!is_used) continue;
+    const auto bit = static_cast<std::uint8_t>(1U << lane);
+    group.used |= bit;
+    if (block.holds(i)) group.own_i |= bit;
+    if (block.holds(j)) group.own_j |= bit;
+    if (const Springs<double>* kept = springs.find(own - block.first, partner)) {
+      put(group, lane, *kept);
+      group.touching |= bit;
     }
   }
+  return group;
 }
 
 PairContacts::Remembered PairContacts::remembered(const Lists& lists) const {

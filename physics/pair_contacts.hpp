@@ -16,6 +16,7 @@
 
 #include "physics/blocks.hpp"
 #include "physics/contact_law.hpp"
+#include "physics/near_pairs.hpp"
 #include "physics/pair_kernel.hpp"
 #include "physics/spheres.hpp"
 #include "physics/wide_list.hpp"
@@ -61,20 +62,14 @@ class PairContacts {
     Term horizon;                 // for pairs with all other blocks
   };
   struct Remembered;  // springs of touching pairs, in rows of the block's particles
-  struct ListedPair {
-    std::uint32_t own, partner;
-  };
-  // By law; pairs that touch stand before the others.
-  using PairsByLaw = std::vector<std::vector<ListedPair>>;
-
   Remembered remembered(const Lists& lists) const;
   Remembered remembered(const Lists& lists, const Spheres& spheres,
                         const ContactHistory& history) const;
   void search(Lists& lists, const Spheres& spheres, double closer, double far_closer) const;
   void thin_out(Lists& lists, const Spheres& spheres, double closer,
                 const Remembered& springs) const;
-  static void append(Lists& lists, const Remembered& springs, std::uint32_t law,
-                     std::span<const ListedPair> pairs);
+  static PairGroup group_of(std::span<const NearPair> pairs, const Block& block,
+                            const Remembered& springs);
 
   std::vector<ContactLaw> laws_;  // [species * species]
   std::uint32_t species_;

@@ -1,0 +1,22 @@
+// Thinning out: the pairs of a wide list that are closer than a smaller skin.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "physics/blocks.hpp"
+#include "physics/spheres.hpp"
+#include "physics/wide_list.hpp"
+
+namespace pmr::physics {
+
+struct NearPair {
+  std::uint32_t own, partner;  // own: whose row it stands in
+  std::uint32_t kind;          // twice the index of its law, one more if it does not touch
+};
+
+// Pairs of the block closer than `skin` [m], by kind; the law of species a and b has the index
+// min(a, b) * species + max(a, b).
+std::vector<NearPair> near_pairs(const Spheres& spheres, const Block& block, const WideList& wide,
+                                 double skin, std::uint32_t species);
+
+}  // namespace pmr::physics
