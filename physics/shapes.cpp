@@ -105,6 +105,8 @@ Vec3 closest_point(const Facet& facet, std::span<const std::uint32_t> triangles,
 bool is_surely_beyond(const Shape& shape, const Vec3& x, double reach) {
   if (const auto* facet = std::get_if<Facet>(&shape))
     return std::abs((x - facet->triangles.front()[0]).dot(facet->normal)) > reach;
+  if (const auto* plane = std::get_if<Plane>(&shape))
+    return std::abs((x - plane->point).dot(plane->normal)) > reach;
   return false;
 }
 

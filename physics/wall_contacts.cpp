@@ -1,6 +1,7 @@
 #include "physics/wall_contacts.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "pmr/base/parallel.hpp"
 
@@ -109,24 +110,32 @@ void WallContacts::list_row(List& list, const Spheres& spheres, std::uint32_t i,
   const Sphere& a = spheres.sphere[i];
   const auto before = static_cast<std::uint32_t>(list.slots.size());
   for (std::size_t k = 0; k < near.size();) {
-    const std::uint32_t surface = near[k].surface;
-    const auto first = static_cast<std::uint32_t>(list.triangles.size());
-    for (; k < near.size() && near[k].surface == surface; ++k)
-      if (near[k].triangle != WallPart::whole) list.triangles.push_back(near[k].triangle);
     Slot slot;
-    slot.surface = surface;
-    slot.first = first;
-    slot.last = static_cast<std::uint32_t>(list.triangles.size());
-    const double gap = (nearest(list, slot, a.position) - a.position).norm() - a.radius;
-    if (gap > list.skin) {
-      list.triangles.resize(first);
-      continue;
+    slot.surface = near[k].surface;
+    slot.first = static_cast<std::uint32_t>(list.triangles.size());
+    double gap = 2.0 * list.skin;
+    for (; k < near.size() && near[k].surface == slot.surface; ++k) {
+      const double part_gap = distance_to(near[k], a.position, a.radius + list.skin) - a.radius;
+      gap = std::min(gap, part_gap);
+      if (part_gap <= list.skin && near[k].triangle != WallPart::whole)
+        list.triangles.push_back(near[k].triangle);
     }
+    if (gap > list.skin) continue;
+    slot.last = static_cast<std::uint32_t>(list.triangles.size());
     slot.wake = rounding * gap;
     list.slots.push_back(slot);
   }
   const auto after = static_cast<std::uint32_t>(list.slots.size());
   if (after > before) list.rows.push_back({i, before, after});
+}
+
+// Infinite where it is more than `reach` for sure.
+double WallContacts::distance_to(const WallPart& part, const Vec3& x, double reach) const {
+  const Surface& surface = case_.walls.surfaces[part.surface];
+  const Vec3 at = pose_[surface.body].to_body(x);
+  if (is_surely_beyond(surface.shape, at, reach)) return std::numeric_limits<double>::infinity();
+  if (part.triangle == WallPart::whole) return (closest_point(surface.shape, at) - at).norm();
+  return (closest_point(std::get<Facet>(surface.shape), {&part.triangle, 1}, at) - at).norm();
 }
 
 Vec3 WallContacts::nearest(const List& list, const Slot& slot, const Vec3& x) const {

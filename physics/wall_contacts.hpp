@@ -86,6 +86,7 @@ class WallContacts {
   void relist(List& list, const Spheres& spheres, double skin);
   void list_row(List& list, const Spheres& spheres, std::uint32_t i,
                 std::span<const WallPart> near);
+  double distance_to(const WallPart& part, const Vec3& x, double reach) const;
   Vec3 nearest(const List& list, const Slot& slot, const Vec3& x) const;
   Meetings meet(List& list, const Row& row, const Sphere& sphere) const;
   void drop_shared(const List& list, Meetings& meetings, double radius) const;

@@ -13,6 +13,7 @@ using Bounds = bg::model::box<Point>;
 struct Entry {
   Bounds bounds;
   WallPart part;
+  const Shape* shape;  // slanting triangles have boxes that say little
 };
 struct BoundsOf {
   using result_type = const Bounds&;
@@ -27,13 +28,14 @@ Bounds bounds(const Box& box) {
 void list_parts(const Surface& surface, std::uint32_t index, std::vector<Entry>& parts) {
   const auto* facet = std::get_if<Facet>(&surface.shape);
   if (!facet) {
-    parts.push_back({bounds(bounding_box(surface.shape)), {index, WallPart::whole}});
+    parts.push_back(
+        {bounds(bounding_box(surface.shape)), {index, WallPart::whole}, &surface.shape});
     return;
   }
   for (std::uint32_t t = 0; t < facet->triangles.size(); ++t) {
     const auto& [a, b, c] = facet->triangles[t];
     const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-    parts.push_back({bounds(box), {index, t}});
+    parts.push_back({bounds(box), {index, t}, &surface.shape});
   }
 }
 
@@ -41,7 +43,12 @@ void list_parts(const Surface& surface, std::uint32_t index, std::vector<Entry>&
 
 struct WallTree::Trees {
   std::vector<Tree> of_body;
-  std::vector<WallPart> endless;
+  struct Endless {
+    Plane plane;
+    WallPart part;
+    std::uint32_t body;
+  };
+  std::vector<Endless> endless;
 };
 
 WallTree::WallTree(const Walls& walls) : trees_(std::make_unique<Trees>()) {
@@ -49,8 +56,8 @@ WallTree::WallTree(const Walls& walls) : trees_(std::make_unique<Trees>()) {
   for (std::uint32_t s = 0; s < walls.surfaces.size(); ++s) {
     const Surface& surface = walls.surfaces[s];
     if (!surface.holds_particles) continue;
-    if (std::holds_alternative<Plane>(surface.shape))
-      trees_->endless.push_back({s, WallPart::whole});
+    if (const auto* plane = std::get_if<Plane>(&surface.shape))
+      trees_->endless.push_back({*plane, {s, WallPart::whole}, surface.body});
     else
       list_parts(surface, s, parts[surface.body]);
   }
@@ -61,13 +68,16 @@ WallTree::~WallTree() = default;
 
 std::vector<WallPart> WallTree::near(const Vec3& x, double reach,
                                      const std::vector<Pose>& poses) const {
-  std::vector<WallPart> found = trees_->endless;
+  std::vector<WallPart> found;
+  for (const auto& [plane, part, body] : trees_->endless)
+    if (!is_surely_beyond(plane, poses[body].to_body(x), reach)) found.push_back(part);
   for (std::size_t b = 0; b < poses.size(); ++b) {
     const Tree& tree = trees_->of_body[b];
     if (tree.empty()) continue;
     const Vec3 at = poses[b].to_body(x), half = Vec3::Constant(reach);
     const auto hits = bg::index::intersects(bounds({at - half, at + half}));
-    for (auto hit = tree.qbegin(hits); hit != tree.qend(); ++hit) found.push_back(hit->part);
+    for (auto hit = tree.qbegin(hits); hit != tree.qend(); ++hit)
+      if (!is_surely_beyond(*hit->shape, at, reach)) found.push_back(hit->part);
   }
   std::sort(found.begin(), found.end(), [](const WallPart& p, const WallPart& q) {
     return p.surface != q.surface ? p.surface < q.surface : p.triangle < q.triangle;

@@ -19,13 +19,14 @@ struct WallPart {
 
 class WallTree {
  public:
-  explicit WallTree(const Walls& walls);  // surfaces that hold no particles are left out
+  // Surfaces that hold no particles are left out. Keeps references to shapes.
+  explicit WallTree(const Walls& walls);
   ~WallTree();
   WallTree(const WallTree&) = delete;
   WallTree& operator=(const WallTree&) = delete;
 
-  // Parts whose boxes come within reach [m] of x [m], by surface, then triangle; bodies stand at
-  // `poses`. Infinite planes are always among them.
+  // Parts that may come within reach [m] of x [m], by surface, then triangle; bodies stand at
+  // `poses`.
   std::vector<WallPart> near(const Vec3& x, double reach, const std::vector<Pose>& poses) const;
 
  private:
