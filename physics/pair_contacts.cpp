@@ -118,8 +118,9 @@ void PairContacts::search(Lists& lists, const Spheres& spheres, double closer,
                           double far_closer) const {
   const double skin =
       std::clamp(steps_of_wide_list * closer, thinnest_, thickest_wide_skin * thinnest_);
-  const double horizon =
-      std::clamp(steps_of_horizon * far_closer, skin, farthest_horizon * thinnest_);
+  // what is not around must stay away for as long as the list is likely to last
+  const double steps = std::min(steps_of_horizon, 1.2 * skin / std::max(closer, 1e-12));
+  const double horizon = std::clamp(steps * far_closer, skin, farthest_horizon * thinnest_);
   search_.find(spheres, lists.block.number, skin, horizon, lists.wide);
   lists.wide_term = {skin};
   lists.horizon = {horizon};
