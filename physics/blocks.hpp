@@ -20,7 +20,7 @@ inline constexpr std::size_t largest_block = 512;  // [particles]
 inline constexpr std::size_t run_length = 32;      // [particles] blocks start at multiples of it
 
 // Cuts n particles into blocks; their size depends on n only: small enough for threads to share
-// the work evenly, large enough that few pairs cross (a sixth of them at 512 particles).
+// the work evenly, large enough that few pairs cross (one in eight of a cube of 8 x 8 x 8).
 std::vector<Block> cut(std::size_t n);
 
 // The velocities of some particles lie in this box.
