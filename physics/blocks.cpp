@@ -12,7 +12,7 @@ constexpr std::size_t wanted_blocks = 32;
 
 std::vector<Block> cut(std::size_t n) {
   const std::size_t even = n / wanted_blocks / run_length * run_length;
-  const std::size_t size = std::clamp(even, smallest_block, largest_block);
+  const std::size_t size = std::clamp<std::size_t>(even, smallest_block, largest_block);
   std::vector<Block> blocks;
   for (std::size_t first = 0; first < n; first += size)
     blocks.push_back({.number = static_cast<std::uint32_t>(blocks.size()),

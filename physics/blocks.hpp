@@ -1,6 +1,7 @@
 // Blocks: runs of particles that stand behind each other and, in spatial order, beside each other.
 // They are the unit of parallel work, of lists and of bounds on motion.
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,28 +17,30 @@ struct Block {
   std::uint32_t size() const { return last - first; }
 };
 
-inline constexpr std::size_t largest_block = 512;  // [particles]
-inline constexpr std::size_t run_length = 32;      // [particles] blocks start at multiples of it
+inline constexpr std::uint32_t largest_block = 512;  // [particles]
+// Runs: the unit of bounds and of wide lists; blocks start at multiples of it.
+inline constexpr std::uint32_t run_length = 32;  // [particles]
 
 // Cuts n particles into blocks; their size depends on n only: small enough for threads to share
 // the work evenly, large enough that few pairs cross (one in eight of a cube of 8 x 8 x 8).
 std::vector<Block> cut(std::size_t n);
 
-// The velocities of some particles lie in this box.
+// The velocities of some particles lie in this box. Fourth components are 0, so that a range is
+// taken in by two vector operations.
 struct VelocityRange {
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);  // [m/s]
+  Eigen::Array4d low = {1e300, 1e300, 1e300, 0.0};      // [m/s]
+  Eigen::Array4d high = {-1e300, -1e300, -1e300, 0.0};  // [m/s]
 
-  void include(const Vec3& v) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
   void include(const VelocityRange& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
+    low = low.min(other.low);
+    high = high.max(other.high);
   }
-  bool is_empty() const { return low[0] > high[0]; }
+  void include(const Vec3& v) {
+    low.head<3>() = low.head<3>().min(v.array());
+    high.head<3>() = high.head<3>().max(v.array());
+  }
   // Bound on the relative speed of any two [m/s].
-  double spread() const { return is_empty() ? 0.0 : (high - low).norm(); }
+  double spread() const { return low[0] > high[0] ? 0.0 : (high - low).matrix().norm(); }
 };
 
 }  // namespace pmr::physics

@@ -16,6 +16,7 @@ Quad all(double x) { return _mm256_set1_pd(x); }
 Quad without_fourth(Quad a) { return _mm256_blend_pd(a, _mm256_setzero_pd(), 8); }
 double sum_of_three(Quad a) { return a[0] + a[1] + a[2]; }
 Vec3 vec3(Quad a) { return {a[0], a[1], a[2]}; }
+Eigen::Array4d array(Quad a) { return {a[0], a[1], a[2], 0.0}; }
 
 // One particle's motion and what its load makes of it in half a sub-step.
 struct Motion {
@@ -59,12 +60,12 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
   const double half = 0.5 * leapfrog.dt;
   const Quad gravity = gravity_of(leapfrog), dt = without_fourth(all(leapfrog.dt));
   const Quad none_low = all(1e300), none_high = all(-1e300);
-  Quad slowest = none_low, fastest = none_high, block_low = none_low, block_high = none_high;
+  Quad block_low = none_low, block_high = none_high;
   Quad work = all(0.0), broken = all(0.0);
   double speed_squared = 0.0;
   for (std::uint32_t first = block.first; first < block.last; first += run_length) {
     const std::uint32_t last = std::min<std::uint32_t>(block.last, first + run_length);
-    Quad low = none_low, high = none_high;
+    Quad low = none_low, high = none_high, slowest = none_low, fastest = none_high;
     for (std::uint32_t i = first; i < last; ++i) {
       Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
       if (ends_step) kick(m);
@@ -81,12 +82,12 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
       speed_squared = std::max(speed_squared, sum_of_three(m.velocity * m.velocity));
     }
     after.run_box[first / run_length] = {vec3(low), vec3(high)};
+    after.run_velocity[first / run_length] = {array(slowest), array(fastest)};
     block_low = _mm256_min_pd(block_low, low);
     block_high = _mm256_max_pd(block_high, high);
   }
   after.block_box[block.number] = {vec3(block_low), vec3(block_high)};
-  return {.velocity = {vec3(slowest), vec3(fastest)},
-          .fastest = std::sqrt(speed_squared),
+  return {.fastest = std::sqrt(speed_squared),
           .is_finite = _mm256_movemask_pd(broken) == 0,
           .contact_work = (ends_step ? leapfrog.dt : half) * sum_of_three(work)};
 }

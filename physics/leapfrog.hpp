@@ -15,7 +15,6 @@ struct Leapfrog {
 
 // What a block's particles did in one pass.
 struct Passage {
-  VelocityRange velocity;     // of the drift
   double fastest = 0.0;       // [m/s] speed in it
   bool is_finite = true;      // no place has become no number
   double contact_work = 0.0;  // [J] of contacts on particles in the half sub-steps passed

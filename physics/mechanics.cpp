@@ -92,7 +92,7 @@ void Mechanics::open(State& state) {
   Particles& p = state.particles;
   smallest_ = p.size() > 0 ? p.radius[0] : 1.0;
   for (const double r : p.radius) smallest_ = std::min(smallest_, r);
-  reorder(state, spatial_order(p, 2.0 * smallest_));
+  reorder(state, spatial_order(p));
   spheres_ = gather_spheres(p);
   blocks_ = cut(p.size());
   lost_.clear();
@@ -167,15 +167,11 @@ void Mechanics::take_out_lost(double t) {
 }
 
 void Mechanics::build_lists(const ContactHistory& pairs, const ContactHistory& walls) {
-  velocity_.assign(blocks_.size(), {});
-  for (const Block& block : blocks_)
-    for (std::uint32_t i = block.first; i < block.last; ++i)
-      velocity_[block.number].include(spheres_.kinetics[i].velocity);
   pass_.assign(blocks_.size(), {});
   bound(spheres_, blocks_);
   after_.resize(spheres_.size(), blocks_.size());
   const double skin = case_.models.mechanics.skin * smallest_;
-  pairs_.open(spheres_, blocks_, velocity_, leapfrog_.dt, skin, pairs);
+  pairs_.open(spheres_, blocks_, leapfrog_.dt, skin, pairs);
   walls_.open(spheres_, blocks_, skin, walls);
 }
 
@@ -211,7 +207,7 @@ void Mechanics::pass_block(std::size_t b, double walls_moved, bool is_last) {
   std::fill(loads.begin(), loads.end(), Load{});
   Stopwatch watch;
   walls_.follow(b, spheres_, p.passage.fastest * dt + walls_moved);
-  pairs_.follow(b, spheres_, velocity_, spread_, dt);
+  pairs_.follow(b, spheres_, spread_, dt);
   p.stages.lists = watch.lap();
   const ContactBook at_walls = walls_.add_forces(b, spheres_, dt, loads);
   p.stages.walls = watch.lap();
@@ -239,18 +235,17 @@ void Mechanics::take_over_sums() {
 
 void Mechanics::take_over_motion() {
   std::swap(static_cast<Places&>(spheres_), after_);
-  VelocityRange all;
   all_inside_ = true;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Passage& p = pass_[b].passage;
-    velocity_[b] = p.velocity;
-    all.include(p.velocity);
     extremes_.speed = std::max(extremes_.speed, p.fastest);
     dissipated_ -= p.contact_work;
     const Box& box = spheres_.block_box[b];
     all_inside_ = all_inside_ && p.is_finite && (box.low.array() >= domain_.low.array()).all() &&
                   (box.high.array() <= domain_.high.array()).all();
   }
+  VelocityRange all;
+  for (const VelocityRange& range : spheres_.run_velocity) all.include(range);
   spread_ = all.spread();
 }
 

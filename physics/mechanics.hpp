@@ -62,13 +62,12 @@ class Mechanics {
   Spheres spheres_;
   Places after_;  // places after the pass that is going on
   std::vector<Block> blocks_;
-  std::vector<BlockPass> pass_;          // [blocks]
-  std::vector<VelocityRange> velocity_;  // [blocks] in the last drift
-  double smallest_ = 0.0;                // [m] radius
-  double spread_ = 0.0;                  // [m/s] bound on their relative speed in the last drift
-  bool all_inside_ = true;               // after the last drift
-  double elastic_ = 0.0;                 // [J] energy of the Hertz springs
-  double dissipated_ = 0.0;              // [J]
+  std::vector<BlockPass> pass_;  // [blocks]
+  double smallest_ = 0.0;        // [m] radius
+  double spread_ = 0.0;          // [m/s] bound on their relative speed in the last drift
+  bool all_inside_ = true;       // after the last drift
+  double elastic_ = 0.0;         // [J] energy of the Hertz springs
+  double dissipated_ = 0.0;      // [J]
   Extremes extremes_;
   std::vector<LostParticle> lost_;
 };

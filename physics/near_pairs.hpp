@@ -1,6 +1,7 @@
 // Thinning out: the pairs of a wide list that are closer than a smaller skin.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "physics/blocks.hpp"
@@ -14,9 +15,15 @@ struct NearPair {
   std::uint32_t kind;          // twice the index of its law, one more if it does not touch
 };
 
-// Pairs of the block closer than `skin` [m], by kind; the law of species a and b has the index
-// min(a, b) * species + max(a, b).
-std::vector<NearPair> near_pairs(const Spheres& spheres, const Block& block, const WideList& wide,
-                                 double skin, std::uint32_t species);
+// What a run of the block's particles brings in.
+struct NearRun {
+  const WideList* wide;
+  double skin;  // [m] at most that of the wide list
+};
+
+// Pairs of the block closer than their run's skin, by kind; the law of species a and b has the
+// index min(a, b) * species + max(a, b).
+std::vector<NearPair> near_pairs(const Spheres& spheres, const Block& block,
+                                 std::span<const NearRun> runs, std::uint32_t species);
 
 }  // namespace pmr::physics

@@ -1,6 +1,7 @@
 #include "physics/neighbours.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "physics/wide_list.hpp"
 #include "pmr/base/parallel.hpp"
@@ -8,29 +9,37 @@
 namespace pmr::physics {
 namespace {
 
-struct Bounds {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // [m] of the centres
+struct Place {
+  Vec3 position;  // [m]
+  ParticleId id;
+  std::uint32_t index;
 };
 
-template <class Position>
-Bounds bounds(std::size_t count, const Position& position) {
-  if (count == 0) return {};
-  Bounds b{position(0), position(0)};
-  for (std::size_t i = 1; i < count; ++i) {
-    b.low = b.low.cwiseMin(position(i));
-    b.high = b.high.cwiseMax(position(i));
+int longest_side(std::span<const Place> places) {
+  Vec3 low = places[0].position, high = low;
+  for (const Place& p : places) {
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
   }
-  return b;
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  return axis;
 }
 
-// Spreads the lower 21 bits so that two zeros follow each.
-std::uint64_t spread(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
+// Halves until runs are left; `block` is the number of particles in a block.
+void bisect(std::span<Place> places, std::size_t block) {
+  if (places.size() <= run_length) return;
+  const std::size_t unit = places.size() > block ? block : run_length;
+  const std::size_t units = (places.size() + unit - 1) / unit;
+  const std::size_t half = (units / 2) * unit;
+  const int axis = longest_side(places);
+  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(half), places.end(),
+                   [axis](const Place& p, const Place& q) {
+                     const double x = p.position[axis], y = q.position[axis];
+                     return x != y ? x < y : p.id < q.id;
+                   });
+  bisect(places.first(half), block);
+  bisect(places.subspan(half), block);
 }
 
 }  // namespace
@@ -41,22 +50,23 @@ std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach
   bound(spheres, blocks);
   const WideSearch search(spheres, blocks);
   const double skin = reach * search.largest_radius();
-  std::vector<std::vector<NeighbourPair>> found(blocks.size());
+  std::vector<std::vector<NeighbourPair>> found(spheres.run_box.size());
   parallel_for(
-      blocks.size(),
-      [&](std::size_t b) {
+      found.size(),
+      [&](std::size_t run) {
         WideList list;
-        search.find(spheres, static_cast<std::uint32_t>(b), skin, skin, list);
-        for (std::uint32_t i = blocks[b].first; i < blocks[b].last; ++i) {
+        search.find(spheres, static_cast<std::uint32_t>(run), skin, skin, list);
+        for (std::uint32_t own = 0; own + 1 < list.start.size(); ++own) {
+          const auto i = static_cast<std::uint32_t>(run * run_length) + own;
           const Sphere& a = spheres.sphere[i];
-          const std::size_t row = found[b].size();
-          for (const std::uint32_t j : list.row(i - blocks[b].first)) {
+          const std::size_t row = found[run].size();
+          for (const std::uint32_t j : list.row(own)) {
             const Sphere& s = spheres.sphere[j];
             const double gap = (a.position - s.position).norm() - (a.radius + s.radius);
             if (j > i && gap < reach * std::min(a.radius, s.radius))
-              found[b].push_back({i, j, gap});
+              found[run].push_back({i, j, gap});
           }
-          std::sort(found[b].begin() + static_cast<std::ptrdiff_t>(row), found[b].end(),
+          std::sort(found[run].begin() + static_cast<std::ptrdiff_t>(row), found[run].end(),
                     [](const NeighbourPair& p, const NeighbourPair& q) { return p.j < q.j; });
         }
       },
@@ -66,26 +76,16 @@ std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach
   return all;
 }
 
-std::vector<std::uint32_t> spatial_order(const Particles& particles, double cell) {
-  const Bounds b = bounds(particles.size(), [&](std::size_t i) { return particles.position[i]; });
-  struct Key {
-    std::uint64_t curve;
-    ParticleId id;
-    std::uint32_t index;
-  };
-  std::vector<Key> keys(particles.size());
-  parallel_for(particles.size(), [&](std::size_t i) {
-    const Vec3 p = (particles.position[i] - b.low) / cell;
-    const auto along = [&](int k) { return spread(static_cast<std::uint64_t>(p[k])); };
-    keys[i] = {along(0) | along(1) << 1 | along(2) << 2, particles.id[i],
-               static_cast<std::uint32_t>(i)};
-  });
-  std::sort(keys.begin(), keys.end(), [](const Key& p, const Key& q) {
-    return p.curve != q.curve ? p.curve < q.curve : p.id < q.id;
-  });
+std::vector<std::uint32_t> spatial_order(const Particles& particles) {
+  std::vector<Place> places;
+  places.reserve(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    places.push_back({particles.position[i], particles.id[i], static_cast<std::uint32_t>(i)});
+  const std::vector<Block> blocks = cut(places.size());
+  if (!blocks.empty()) bisect(places, blocks[0].size());
   std::vector<std::uint32_t> order;
-  order.reserve(keys.size());
-  for (const Key& key : keys) order.push_back(key.index);
+  order.reserve(places.size());
+  for (const Place& place : places) order.push_back(place.index);
   return order;
 }
 

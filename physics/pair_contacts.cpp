@@ -9,9 +9,10 @@ namespace {
 
 // How many sub-steps lists are to last, and bounds on their skins: of the near list [1] of the wide
 // one's; of the wide list and the horizon [1] of the thinnest wide skin.
-constexpr double steps_of_near_list = 8.0, thinnest_near_skin = 0.1;
-constexpr double steps_of_wide_list = 50.0, thickest_wide_skin = 5.0;
+constexpr double steps_of_near_list = 14.0, thinnest_near_skin = 0.1;
+constexpr double steps_of_wide_list = 30.0, thickest_wide_skin = 5.0;
 constexpr double steps_of_horizon = 100.0, farthest_horizon = 40.0;
+constexpr double worn = 0.5;  // what may be left of a wide list's skin [1] that is searched anew
 
 void copy_entry(const ContactHistory& from, std::uint32_t k, ContactHistory& to) {
   to.partner.push_back(from.partner[k]);
@@ -78,52 +79,71 @@ PairContacts::PairContacts(const ContactLaws& laws)
       species_(static_cast<std::uint32_t>(laws.species())),
       kernel_(best_pair_kernel()) {}
 
-void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks,
-                        std::span<const VelocityRange> ranges, double dt, double skin,
-                        const ContactHistory& history) {
+void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double dt,
+                        double skin, const ContactHistory& history) {
   search_ = WideSearch(spheres, blocks);
   thinnest_ = skin;
   VelocityRange all;
-  for (const VelocityRange& range : ranges) all.include(range);
+  for (const VelocityRange& range : spheres.run_velocity) all.include(range);
   lists_.assign(blocks.size(), {});  // nothing of an earlier call may live on
   parallel_for(
       blocks.size(),
       [&](std::size_t b) {
         Lists& lists = lists_[b];
         lists.block = blocks[b];
-        const double closer = ranges[b].spread() * dt;
-        search(lists, spheres, closer, all.spread() * dt);
-        thin_out(lists, spheres, closer, remembered(lists, spheres, history));
+        lists.runs.resize((blocks[b].size() + run_length - 1) / run_length);
+        for (Run& run : lists.runs) run.wide.around = {number_of(lists, run)};
+        renew(lists, spheres, all.spread(), dt);
+        thin_out(lists, spheres, remembered(lists, spheres, history));
       },
       1);
 }
 
-void PairContacts::follow(std::size_t b, const Spheres& spheres,
-                          std::span<const VelocityRange> ranges, double spread, double dt) {
+void PairContacts::follow(std::size_t b, const Spheres& spheres, double spread, double dt) {
   Lists& lists = lists_[b];
-  VelocityRange around;
-  for (const std::uint32_t c : lists.wide.neighbours) around.include(ranges[c]);
-  const double closer = around.spread() * dt, far_closer = spread * dt;
-  const bool wide_ends = lists.wide_term.ends_with(closer);
-  const bool horizon_ends = lists.horizon.ends_with(far_closer);
-  const bool near_ends =
-      lists.near_term.ends_with(closer) && lists.near_term.reach < lists.wide_term.reach;
-  if (!wide_ends && !horizon_ends && !near_ends) return;
+  bool is_over = false;
+  for (Run& run : lists.runs) {
+    const double closer = speed_around(run, spheres) * dt;
+    run.near_term.gone += closer;
+    run.wide_term.gone += closer;
+    run.horizon.gone += spread * dt;
+    is_over = is_over || run.near_term.left() < 0.0 || run.horizon.left() < 0.0;
+  }
+  if (!is_over) return;
   const Remembered springs = remembered(lists);
-  if (wide_ends || horizon_ends) search(lists, spheres, closer, far_closer);
-  thin_out(lists, spheres, closer, springs);
+  renew(lists, spheres, spread, dt);
+  thin_out(lists, spheres, springs);
 }
 
-void PairContacts::search(Lists& lists, const Spheres& spheres, double closer,
-                          double far_closer) const {
-  const double skin =
-      std::clamp(steps_of_wide_list * closer, thinnest_, thickest_wide_skin * thinnest_);
-  // what is not around must stay away for as long as the list is likely to last
-  const double steps = std::min(steps_of_horizon, 1.2 * skin / std::max(closer, 1e-12));
-  const double horizon = std::clamp(steps * far_closer, skin, farthest_horizon * thinnest_);
-  search_.find(spheres, lists.block.number, skin, horizon, lists.wide);
-  lists.wide_term = {skin};
-  lists.horizon = {horizon};
+std::uint32_t PairContacts::number_of(const Lists& lists, const Run& run) {
+  return lists.block.first / run_length + static_cast<std::uint32_t>(&run - lists.runs.data());
+}
+
+// Bound on the relative speed of the pairs that the run may form [m/s].
+double PairContacts::speed_around(const Run& run, const Spheres& spheres) {
+  VelocityRange range;
+  for (const std::uint32_t r : run.wide.around) range.include(spheres.run_velocity[r]);
+  return range.spread();
+}
+
+// Sets the near terms of all runs, after a new search for those that are soon at their end.
+void PairContacts::renew(Lists& lists, const Spheres& spheres, double spread, double dt) const {
+  for (Run& run : lists.runs) {
+    const double closer = speed_around(run, spheres) * dt;
+    const double wanted = std::max(steps_of_near_list * closer, thinnest_near_skin * thinnest_);
+    const double skin =
+        std::clamp(steps_of_wide_list * closer, thinnest_, thickest_wide_skin * thinnest_);
+    const bool is_worn = run.wide_term.left() < std::min(wanted, worn * skin);
+    if (is_worn || run.horizon.left() <= 0.0) {
+      // what is not around must stay away for as long as the list is likely to last
+      const double steps = std::min(steps_of_horizon, 1.2 * skin / std::max(closer, 1e-12));
+      const double horizon = std::clamp(steps * spread * dt, skin, farthest_horizon * thinnest_);
+      search_.find(spheres, number_of(lists, run), skin, horizon, run.wide);
+      run.wide_term = {skin};
+      run.horizon = {horizon};
+    }
+    run.near_term = {std::min(wanted, run.wide_term.left())};
+  }
 }
 
 ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
@@ -143,12 +163,10 @@ ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, doub
 
 // Groups hold pairs of one law, and pairs that touch apart from others, so that groups touch or not
 // as a whole.
-void PairContacts::thin_out(Lists& lists, const Spheres& s, double closer,
-                            const Remembered& springs) const {
-  const double skin = std::clamp(steps_of_near_list * closer, thinnest_near_skin * thinnest_,
-                                 lists.wide_term.reach);
-  lists.near_term = {skin};
-  const std::vector<NearPair> pairs = near_pairs(s, lists.block, lists.wide, skin, species_);
+void PairContacts::thin_out(Lists& lists, const Spheres& s, const Remembered& springs) const {
+  std::vector<NearRun> runs;
+  for (const Run& run : lists.runs) runs.push_back({&run.wide, run.near_term.reach});
+  const std::vector<NearPair> pairs = near_pairs(s, lists.block, runs, species_);
   lists.near.clear();
   for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
     while (last < pairs.size() && last < first + PairGroup::count &&
@@ -207,7 +225,7 @@ PairContacts::Remembered PairContacts::remembered(const Lists& lists, const Sphe
   if (history.partner.empty()) return r;
   for (std::uint32_t row = 0; row < lists.block.size(); ++row) {
     const std::uint32_t i = lists.block.first + row;
-    for (const std::uint32_t j : lists.wide.row(row)) {
+    for (const std::uint32_t j : lists.runs[row / run_length].wide.row(row % run_length)) {
       const bool i_keeps = s.label[i].id < s.label[j].id;
       const std::uint32_t keeper = i_keeps ? i : j;
       const ParticleId other = s.label[i_keeps ? j : i].id;

@@ -7,8 +7,9 @@
 //
 // There are two lists, as in molecular dynamics codes: the wide one of all pairs closer than a
 // skin, and the near one of those pairs that may touch within a few sub-steps, thinned out from it.
-// Only near pairs carry springs and are evaluated. Each block renews both by itself, when its
-// particles and those of the blocks around it may have come closer by the list's skin.
+// Only near pairs carry springs and are evaluated. Each run has a wide list and skins that suit the
+// velocities around it, so that a fast grain shortens the life of few lists; each block has one
+// near list, thinned out when one of its runs asks for it.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -29,19 +30,16 @@ class PairContacts {
   explicit PairContacts(const ContactLaws& laws);
 
   // Lists the pairs of all blocks, with the springs of `history`. Wide skins are at least `skin`
-  // [m]; `ranges` [blocks] of velocities and dt [s] say how soon lists will end.
-  void open(const Spheres& spheres, const std::vector<Block>& blocks,
-            std::span<const VelocityRange> ranges, double dt, double skin,
+  // [m]; the velocities and dt [s] say how soon lists will end.
+  void open(const Spheres& spheres, const std::vector<Block>& blocks, double dt, double skin,
             const ContactHistory& history);
 
   // Springs of the touching pairs, rows in the particles' order.
   ContactHistory history(const Spheres& spheres) const;
 
-  // To be called after every drift by dt [s], velocities of which were in `ranges` [blocks] and
-  // differed by `spread` [m/s] at most: keeps block b's near list such that it holds all of its
-  // touching pairs.
-  void follow(std::size_t b, const Spheres& spheres, std::span<const VelocityRange> ranges,
-              double spread, double dt);
+  // To be called after every drift by dt [s], in which no two velocities differed by more than
+  // `spread` [m/s]: keeps block b's near list such that it holds all of its touching pairs.
+  void follow(std::size_t b, const Spheres& spheres, double spread, double dt);
 
   // Adds the forces of block b's touching pairs to the loads of its particles; moves the springs
   // by dt [s].
@@ -50,24 +48,28 @@ class PairContacts {
  private:
   // Holds while bounds on how much closer its pairs have come stay below a reach.
   struct Term {
-    double reach = 0.0, gone = 0.0;                                             // [m]
-    bool ends_with(double closer) { return (gone += closer) > 0.999 * reach; }  // sums round
+    double reach = 0.0, gone = 0.0;                       // [m]
+    double left() const { return 0.999 * reach - gone; }  // sums round
+  };
+  struct Run {
+    WideList wide;
+    Term wide_term;  // reach: the wide list's skin; for pairs with runs around
+    Term near_term;  // reach: the near list's skin; likewise
+    Term horizon;    // for pairs with all other runs
   };
   struct Lists {
     Block block;
-    WideList wide;
+    std::vector<Run> runs;
     std::vector<PairGroup> near;  // all groups but the last of a law are full
-    Term near_term;               // reach: the near list's skin
-    Term wide_term;               // the wide list's; for pairs with blocks within the horizon
-    Term horizon;                 // for pairs with all other blocks
   };
   struct Remembered;  // springs of touching pairs, in rows of the block's particles
   Remembered remembered(const Lists& lists) const;
   Remembered remembered(const Lists& lists, const Spheres& spheres,
                         const ContactHistory& history) const;
-  void search(Lists& lists, const Spheres& spheres, double closer, double far_closer) const;
-  void thin_out(Lists& lists, const Spheres& spheres, double closer,
-                const Remembered& springs) const;
+  static std::uint32_t number_of(const Lists& lists, const Run& run);
+  static double speed_around(const Run& run, const Spheres& spheres);
+  void renew(Lists& lists, const Spheres& spheres, double spread, double dt) const;
+  void thin_out(Lists& lists, const Spheres& spheres, const Remembered& springs) const;
   static PairGroup group_of(std::span<const NearPair> pairs, const Block& block,
                             const Remembered& springs);
 

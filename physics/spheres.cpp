@@ -26,6 +26,7 @@ void Places::resize(std::size_t particles, std::size_t blocks) {
   kinetics.resize(particles);
   block_box.resize(blocks);
   run_box.resize((particles + run_length - 1) / run_length);
+  run_velocity.resize(run_box.size());
 }
 
 void bound(Spheres& s, const std::vector<Block>& blocks) {
@@ -42,6 +43,9 @@ void bound(Spheres& s, const std::vector<Block>& blocks) {
     s.block_box[b] = box_of(blocks[b].first, blocks[b].last);
   for (std::size_t r = 0; r < s.run_box.size(); ++r)
     s.run_box[r] = box_of(r * run_length, std::min(s.size(), (r + 1) * run_length));
+  s.run_velocity.assign(s.run_box.size(), {});
+  for (std::size_t i = 0; i < s.size(); ++i)
+    s.run_velocity[i / run_length].include(s.kinetics[i].velocity);
 }
 
 void put_back(const Spheres& s, Particles& p) {

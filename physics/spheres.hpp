@@ -43,8 +43,9 @@ struct Label {
 struct Places {
   std::vector<Sphere> sphere;
   std::vector<Kinetics> kinetics;
-  std::vector<Box> block_box;  // [blocks] of the centres [m]
-  std::vector<Box> run_box;    // [runs] likewise
+  std::vector<Box> block_box;               // [blocks] of the centres [m]
+  std::vector<Box> run_box;                 // [runs] likewise
+  std::vector<VelocityRange> run_velocity;  // [runs] in the drift that led here
   void resize(std::size_t particles, std::size_t blocks);
 };
 
@@ -55,7 +56,7 @@ struct Spheres : Places {
 };
 
 Spheres gather_spheres(const Particles& particles);
-// Sets the boxes to the places.
+// Sets the boxes to the places, the ranges to the velocities.
 void bound(Spheres& spheres, const std::vector<Block>& blocks);
 
 void put_back(const Spheres& spheres, Particles& particles);

@@ -3,14 +3,16 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <cmath>
-
-#include "physics/local_grid.hpp"
+#include <array>
+#include <memory>
 
 namespace pmr::physics {
 namespace {
 
 constexpr double outwards = 1.0 + 1e-9;  // of reaches, safe against rounding [1]
+// Candidates stand in single precision, relative to their run: error of a gap [1] of all lengths.
+constexpr double single_precision = 1e-6;
+constexpr std::size_t lanes = 8;  // of single precision
 
 Box grown(const Box& box, double by) {
   return {box.low - Vec3::Constant(by), box.high + Vec3::Constant(by)};
@@ -18,7 +20,7 @@ Box grown(const Box& box, double by) {
 bool overlap(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
-// A box whose inside is told by three comparisons.
+// A box whose inside is told by two comparisons.
 class FastBox {
  public:
   explicit FastBox(const Box& box)
@@ -35,82 +37,132 @@ class FastBox {
   __m256d low_, high_;
 };
 
+// For each set of lanes: their numbers, in order, in front.
+constexpr std::array<std::array<std::int32_t, lanes>, 256> in_front = [] {
+  std::array<std::array<std::int32_t, lanes>, 256> table{};
+  for (std::size_t set = 0; set < table.size(); ++set)
+    for (std::size_t l = 0, place = 0; l < lanes; ++l)
+      if ((set >> l & 1U) != 0) table[set][place++] = static_cast<std::int32_t>(l);
+  return table;
+}();
+
 }  // namespace
 
-// By class of size.
+// Spheres seen from `origin`; the run's own first, in order. Behind them follow `lanes` that are
+// near nobody.
 struct WideSearch::Candidates {
-  std::vector<std::vector<Sphere>> sphere;
-  std::vector<std::vector<std::uint32_t>> index;
+  explicit Candidates(std::size_t most)
+      : field(std::make_unique_for_overwrite<float[]>(4 * (most + lanes))),
+        index(std::make_unique_for_overwrite<std::uint32_t[]>(most + lanes)),
+        stride(most + lanes) {}
+
+  float* x(std::size_t axis) const { return &field[axis * stride]; }
+  float* radius() const { return &field[3 * stride]; }
+  void add(const Sphere& s, std::uint32_t i, const Vec3& origin) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<int>(k);
+      x(k)[count] = static_cast<float>(s.position[axis] - origin[axis]);
+    }
+    radius()[count] = static_cast<float>(s.radius);
+    index[count++] = i;
+  }
+  void close() {
+    std::fill_n(&x(0)[count], lanes, 1e18F);
+    for (const std::size_t f : {1U, 2U, 3U}) std::fill_n(&field[f * stride + count], lanes, 0.0F);
+    std::fill_n(&index[count], lanes, 0U);
+  }
+  std::uint32_t* append_near(std::size_t own, float skin, std::uint32_t* to) const;
+
+  std::unique_ptr<float[]> field;
+  std::unique_ptr<std::uint32_t[]> index;
+  std::size_t stride, count = 0;
 };
+
+// Writes to `to` the indices of those behind `own` that are closer to it than the skin; up to lanes
+// places behind the last one are overwritten. Returns where the last one ends.
+std::uint32_t* WideSearch::Candidates::append_near(std::size_t own, float skin,
+                                                   std::uint32_t* to) const {
+  const auto all = [](float a) { return _mm256_set1_ps(a); };
+  const __m256 x = all(this->x(0)[own]), y = all(this->x(1)[own]), z = all(this->x(2)[own]);
+  const __m256 reach = all(radius()[own] + skin);
+  for (std::size_t k = own + 1; k < count; k += lanes) {
+    const __m256 dx = x - _mm256_loadu_ps(this->x(0) + k), dy = y - _mm256_loadu_ps(this->x(1) + k),
+                 dz = z - _mm256_loadu_ps(this->x(2) + k);
+    const __m256 sum = reach + _mm256_loadu_ps(radius() + k);
+    const __m256 is_near = _mm256_cmp_ps(dx * dx + dy * dy + dz * dz, sum * sum, _CMP_LT_OQ);
+    const auto set = static_cast<unsigned>(_mm256_movemask_ps(is_near));
+    if (set == 0) continue;
+    const auto* const order = reinterpret_cast<const __m256i*>(in_front[set].data());
+    const auto* const indices = reinterpret_cast<const __m256i*>(&index[k]);
+    _mm256_storeu_si256(
+        reinterpret_cast<__m256i*>(to),
+        _mm256_permutevar8x32_epi32(_mm256_loadu_si256(indices), _mm256_loadu_si256(order)));
+    to += __builtin_popcount(set);
+  }
+  return to;
+}
 
 WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks)
     : blocks_(blocks), block_radius_(blocks.size(), 0.0), run_radius_(spheres.run_box.size(), 0.0) {
-  if (spheres.size() == 0) return;
-  smallest_ = spheres.sphere[0].radius;
-  for (const Sphere& s : spheres.sphere) smallest_ = std::min(smallest_, s.radius);
   for (const Block& block : blocks)
-    for (std::uint32_t i = block.first; i < block.last; ++i) {
-      const double radius = spheres.sphere[i].radius;
-      const std::size_t c = class_of(radius);
-      if (c >= largest_.size()) largest_.resize(c + 1, 0.0);
-      for (double* most :
-           {&largest_[c], &block_radius_[block.number], &run_radius_[i / run_length]})
-        *most = std::max(*most, radius);
-    }
+    for (std::uint32_t i = block.first; i < block.last; ++i)
+      for (double* most : {&largest_, &block_radius_[block.number], &run_radius_[i / run_length]})
+        *most = std::max(*most, spheres.sphere[i].radius);
 }
 
-// A class spans a factor of two in radius.
-std::size_t WideSearch::class_of(double radius) const {
-  return radius < 2.0 * smallest_ ? 0 : static_cast<std::size_t>(std::ilogb(radius / smallest_));
+void WideSearch::look_around(const Spheres& spheres, std::uint32_t run, double horizon,
+                             WideList& list) const {
+  list.around.clear();
+  const auto is_within = [&](const Box& box, double radius) {
+    const double reach = (run_radius_[run] + radius + horizon) * outwards;
+    return overlap(grown(spheres.run_box[run], reach), box);
+  };
+  const std::uint32_t first = run * run_length;
+  for (const Block& block : blocks_) {
+    if (!is_within(spheres.block_box[block.number], block_radius_[block.number])) continue;
+    const std::uint32_t begin = block.holds(first) ? first : block.first;
+    for (std::uint32_t r = begin / run_length; r * run_length < block.last; ++r)
+      if (is_within(spheres.run_box[r], run_radius_[r])) list.around.push_back(r);
+  }
+  // the run itself in front
+  std::iter_swap(list.around.begin(), std::find(list.around.begin(), list.around.end(), run));
 }
 
-WideSearch::Candidates WideSearch::candidates(const Spheres& spheres, std::uint32_t block,
-                                              double skin,
-                                              const std::vector<std::uint32_t>& neighbours) const {
-  Candidates found{std::vector<std::vector<Sphere>>(largest_.size()),
-                   std::vector<std::vector<std::uint32_t>>(largest_.size())};
-  for (const std::uint32_t c : neighbours)
-    for (std::uint32_t first = blocks_[c].first; first < blocks_[c].last; first += run_length) {
-      const std::size_t run = first / run_length;
-      const Box near = grown(spheres.block_box[block],
-                             (block_radius_[block] + run_radius_[run] + skin) * outwards);
-      if (!overlap(near, spheres.run_box[run])) continue;
-      const FastBox box(near);
-      const std::uint32_t last = std::min<std::uint32_t>(first + run_length, blocks_[c].last);
-      for (std::uint32_t j = first; j < last; ++j) {
-        const Sphere& s = spheres.sphere[j];
-        if (!box.holds(s)) continue;
-        const std::size_t size = class_of(s.radius);
-        found.sphere[size].push_back(s);
-        found.index[size].push_back(j);
-      }
-    }
+WideSearch::Candidates WideSearch::candidates(const Spheres& spheres, std::uint32_t run,
+                                              double skin, const WideList& list) const {
+  Candidates found(list.around.size() * run_length);
+  const Vec3 origin = 0.5 * (spheres.run_box[run].low + spheres.run_box[run].high);
+  for (const std::uint32_t r : list.around) {
+    const Box near =
+        grown(spheres.run_box[run], (run_radius_[run] + run_radius_[r] + skin) * outwards);
+    if (!overlap(near, spheres.run_box[r])) continue;
+    const FastBox box(near);
+    const auto last = static_cast<std::uint32_t>(
+        std::min<std::size_t>(spheres.size(), (r + std::size_t{1}) * run_length));
+    for (std::uint32_t j = r * run_length; j < last; ++j)
+      if (box.holds(spheres.sphere[j])) found.add(spheres.sphere[j], j, origin);
+  }
+  found.close();
   return found;
 }
 
-void WideSearch::find(const Spheres& spheres, std::uint32_t b, double skin, double horizon,
+void WideSearch::find(const Spheres& spheres, std::uint32_t run, double skin, double horizon,
                       WideList& list) const {
-  list.neighbours.clear();
-  for (std::uint32_t c = 0; c < blocks_.size(); ++c) {
-    const double reach = (block_radius_[b] + block_radius_[c] + horizon) * outwards;
-    if (overlap(grown(spheres.block_box[b], reach), spheres.block_box[c]))
-      list.neighbours.push_back(c);
+  look_around(spheres, run, horizon, list);
+  const Candidates near = candidates(spheres, run, skin, list);
+  const std::size_t first = std::size_t{run} * run_length;
+  const std::size_t own = std::min<std::size_t>(run_length, spheres.size() - first);
+  const double size = (spheres.run_box[run].high - spheres.run_box[run].low).norm();
+  const auto reach = static_cast<float>(skin + single_precision * (size + 2.0 * largest_ + skin));
+  list.start.assign(own + 1, 0);
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < own; ++i) {
+    list.partner.resize(count + near.count + lanes);
+    const std::uint32_t* const end = near.append_near(i, reach, &list.partner[count]);
+    count = static_cast<std::uint32_t>(end - list.partner.data());
+    list.start[i + 1] = count;
   }
-  const Candidates near = candidates(spheres, b, skin, list.neighbours);
-  std::vector<LocalGrid> grids;
-  for (std::size_t c = 0; c < largest_.size(); ++c)
-    grids.emplace_back(near.sphere[c], near.index[c], 2.0 * largest_[c] + 0.5 * skin);
-  const Block& block = blocks_[b];
-  list.start.assign(block.size() + 1, 0);
-  list.partner.clear();
-  for (std::uint32_t i = block.first; i < block.last; ++i) {
-    const auto row = static_cast<std::ptrdiff_t>(list.partner.size());
-    for (const LocalGrid& grid : grids) grid.append_near(spheres.sphere[i], skin, list.partner);
-    const auto is_elsewhere = [&](std::uint32_t j) { return j == i || (block.holds(j) && j < i); };
-    list.partner.erase(std::remove_if(list.partner.begin() + row, list.partner.end(), is_elsewhere),
-                       list.partner.end());
-    list.start[i - block.first + 1] = static_cast<std::uint32_t>(list.partner.size());
-  }
+  list.partner.resize(count);
 }
 
 }  // namespace pmr::physics

@@ -1,4 +1,4 @@
-// The wide list of a block: all pairs of its particles that are closer than a skin.
+// The wide list of a run of particles: all of its pairs that are closer than a skin.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,41 +9,42 @@
 
 namespace pmr::physics {
 
+// A pair of two blocks stands in both, one within a block in the row of the earlier particle alone.
 struct WideList {
-  std::vector<std::uint32_t> start;    // [own + 1] rows of the block's particles
+  std::vector<std::uint32_t> start;    // [own + 1] rows of the run's particles
   std::vector<std::uint32_t> partner;  // of other blocks: any; of its own: those that come later
+  std::vector<std::uint32_t> around;   // runs within the horizon that pairs may be formed with
   std::span<const std::uint32_t> row(std::uint32_t own) const {
     return {&partner[start[own]], start[own + 1] - start[own]};
   }
-  std::vector<std::uint32_t> neighbours;  // blocks within the horizon, itself among them
 };
 
-// Searches one block: particles of the runs whose boxes come near are binned into a local grid per
-// class of size, so that empty space costs nothing and small particles are not searched for with
-// the reach of large ones (the hierarchical grid of Ogarko and Luding, Comput. Phys. Commun. 183
-// (2012) 931). Blocks may be searched concurrently.
+// Searches one run: every particle of the runs nearby that is near the box of this one is tested
+// against all of its particles, eight at a time (clusters of particles instead of cells, as in Páll
+// and Hess, Comput. Phys. Commun. 184 (2013) 2641): what is empty costs nothing, and only particles
+// near a large one are tested with its reach. Runs may be searched concurrently.
 class WideSearch {
  public:
   WideSearch() = default;
   WideSearch(const Spheres& spheres, const std::vector<Block>& blocks);  // radii are kept
 
-  // Pairs of the block with surfaces closer than `skin` [m] as the spheres and their boxes stand;
-  // neighbours are the blocks with boxes (of whole spheres) closer than `horizon` >= skin [m].
-  void find(const Spheres& spheres, std::uint32_t block, double skin, double horizon,
+  // Pairs of the run with surfaces closer than `skin` [m] as the spheres and their boxes stand, and
+  // perhaps some that are farther apart by 1e-6 of the run's box, skin and largest diameter;
+  // `around` are the runs with boxes (of whole spheres) closer than `horizon` >= skin [m].
+  void find(const Spheres& spheres, std::uint32_t run, double skin, double horizon,
             WideList& list) const;
 
-  double largest_radius() const { return largest_.empty() ? 0.0 : largest_.back(); }  // [m]
+  double largest_radius() const { return largest_; }  // [m]
 
  private:
   struct Candidates;
-  std::size_t class_of(double radius) const;
-  Candidates candidates(const Spheres& spheres, std::uint32_t block, double skin,
-                        const std::vector<std::uint32_t>& neighbours) const;
+  void look_around(const Spheres& spheres, std::uint32_t run, double horizon, WideList& list) const;
+  Candidates candidates(const Spheres& spheres, std::uint32_t run, double skin,
+                        const WideList& list) const;
 
   std::vector<Block> blocks_;
   std::vector<double> block_radius_, run_radius_;  // [m] largest in each
-  std::vector<double> largest_;                    // [classes] radius [m]
-  double smallest_ = 0.0;                          // [m] radius
+  double largest_ = 0.0;                           // [m] radius
 };
 
 }  // namespace pmr::physics
