@@ -36,6 +36,16 @@ Emitters::Emitters(const Scene& scene, std::uint32_t nodes) : start_(nodes + 1, 
   }
 }
 
+std::vector<std::uint32_t> Emitters::in_order() const {
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node + 1 < start_.size(); ++node)
+    if (has_surface(node)) nodes.push_back(node);
+  const auto first = [&](std::uint32_t node) { return primitive_[start_[node]]; };
+  std::sort(nodes.begin(), nodes.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return first(a) < first(b); });
+  return nodes;
+}
+
 std::uint32_t Emitters::pick(std::uint32_t node, double fraction) const {
   const std::uint64_t first = start_[node], last = start_[node + 1] - 1;
   if (first == last) return primitive_[first];

@@ -14,6 +14,9 @@ class Emitters {
  public:
   Emitters(const Scene& scene, std::uint32_t nodes);
   bool has_surface(std::uint32_t node) const { return start_[node + 1] > start_[node]; }
+  // Nodes that have a surface, as their first primitives follow each other: neighbours in space, if
+  // those are.
+  std::vector<std::uint32_t> in_order() const;
   // The primitive at a fraction in [0, 1) of the node's area.
   std::uint32_t pick(std::uint32_t node, double fraction) const;
 

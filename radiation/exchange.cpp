@@ -61,9 +61,9 @@ std::vector<std::uint64_t> deal_rays(const ExchangeInput& input, const Emitters&
   return rays;
 }
 
-std::vector<Unit> cut_into_units(const std::vector<std::uint64_t>& rays) {
+std::vector<Unit> cut_into_units(const std::vector<std::uint64_t>& rays, const Emitters& emitters) {
   std::vector<Unit> units;
-  for (std::uint32_t node = 0; node < rays.size(); ++node)
+  for (const std::uint32_t node : emitters.in_order())
     for (std::uint64_t first = 0; first < rays[node]; first += rays_per_unit)
       units.push_back({node, first, std::min(rays[node], first + rays_per_unit)});
   return units;
@@ -131,7 +131,7 @@ TracedExchange trace(const ExchangeInput& input) {
   const Emitters emitters(tracer.scene(), input.nodes);
   const std::vector<std::uint64_t> rays = deal_rays(input, emitters);
   const Setup setup{input, tracer, emitters, rays};
-  const std::vector<Unit> units = cut_into_units(rays);
+  const std::vector<Unit> units = cut_into_units(rays, emitters);
   std::vector<UnitResult> results(units.size());
   parallel_for(
       units.size(), [&](std::size_t k) { results[k] = trace_unit(setup, units[k]); },

@@ -127,7 +127,7 @@ Hit Scene::nearest(const Ray& ray, std::uint32_t excluded) const {
   query.ray.mask = ~0U;
   query.ray.flags = 0;
   const auto triangle_geometry = static_cast<unsigned>(tree_->triangle_geometry);
-  Hit hit;
+  std::uint32_t met = none;
   do {  // the excluded one can only be met by rounding: go on behind it
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -136,20 +136,25 @@ Hit Scene::nearest(const Ray& ray, std::uint32_t excluded) const {
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree_->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    hit.primitive = query.hit.primID;
-    if (query.hit.geomID == triangle_geometry)
-      hit.primitive += static_cast<std::uint32_t>(spheres_.size());
+    met = query.hit.primID;
+    if (query.hit.geomID == triangle_geometry) met += static_cast<std::uint32_t>(spheres_.size());
     query.ray.tnear = std::nextafter(query.ray.tfar, std::numeric_limits<float>::infinity());
-  } while (hit.primitive == excluded);
-  hit.distance = static_cast<double>(query.ray.tfar) * unit_;
-  hit.point = ray.origin + hit.distance * ray.direction;
-  if (is_sphere(hit.primitive)) {
-    const Sphere& sphere = spheres_[hit.primitive];
+  } while (met == excluded);
+  return hit_at(met, static_cast<double>(query.ray.tfar) * unit_, ray);
+}
+
+Hit Scene::hit_at(std::uint32_t primitive, double distance, const Ray& ray) const {
+  Hit hit;
+  hit.primitive = primitive;
+  hit.distance = distance;
+  hit.point = ray.origin + distance * ray.direction;
+  if (is_sphere(primitive)) {
+    const Sphere& sphere = spheres_[primitive];
     hit.node = sphere.node;
     hit.normal = (hit.point - sphere.centre).normalized();
     return hit;
   }
-  const Triangle& wall = triangle(hit.primitive);
+  const Triangle& wall = triangle(primitive);
   hit.node = wall.node;
   hit.normal = normal_of(wall);
   if (hit.normal.dot(ray.direction) > 0.0) hit.normal = -hit.normal;

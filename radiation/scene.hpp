@@ -64,6 +64,9 @@ class Scene {
   // Nearest hit along the ray; the primitive `excluded` is passed through.
   Hit nearest(const Ray& ray, std::uint32_t excluded = none) const;
 
+  // The hit of a primitive known to be met at a distance [m] along the ray.
+  Hit hit_at(std::uint32_t primitive, double distance, const Ray& ray) const;
+
   // Adds the primitives of triangles that come within `radius` [m] of the point.
   void find_triangles(const Vec3& point, double radius, std::vector<std::uint32_t>& found) const;
 

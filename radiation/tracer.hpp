@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "radiation/near_field.hpp"
 #include "radiation/scene.hpp"
 #include "radiation/sphere_grid.hpp"
 
@@ -25,14 +26,11 @@ class Tracer {
   Hit follow(const Departure& departure) const;
 
  private:
-  std::span<const std::uint32_t> touching(std::uint32_t sphere) const;
-  Hit obstacle(std::uint32_t sphere, const Vec3& start) const;
-  Hit deepest(std::span<const std::uint32_t> candidates, const Vec3& point) const;
+  std::uint32_t covering(const Vec3& point) const;
 
   Scene scene_;
   SphereGrid grid_;
-  std::vector<std::uint64_t> start_;    // [spheres + 1] into partner_
-  std::vector<std::uint32_t> partner_;  // primitives that reach into each sphere, ascending
+  NearField near_;
 };
 
 }  // namespace pmr::radiation
