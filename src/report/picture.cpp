@@ -72,7 +72,7 @@ Image develop(const std::vector<Rgb>& samples, std::size_t width, std::size_t he
 }  // namespace
 
 View look_at_cut(const std::optional<Case>& setup) {
-  View view{Vec3::Zero(), Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 0.0, 0.0};
+  View view{Vec3::Zero(), Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 1.0, 1.0};
   if (setup && setup->output.cut_normal.norm() > 0.0) {
     view.middle = setup->output.cut_point;
     view.forward = setup->output.cut_normal.normalized();
@@ -90,7 +90,6 @@ View look_at_cut(const std::optional<Case>& setup) {
 void Extent::add(const View& view, const io::Snapshot& snapshot) {
   for (std::size_t i = 0; i < snapshot.particles.size(); ++i) {
     const Vec3 from = snapshot.particles.position[i] - view.middle;
-    if (from.dot(view.forward) < 0.0) continue;
     const Eigen::Vector2d at(from.dot(view.right), from.dot(view.up));
     const double r = snapshot.particles.radius[i];
     low = low.cwiseMin(at - Eigen::Vector2d(r, r));

@@ -19,9 +19,9 @@ struct View {
   double width, height;     // [m]
 };
 
-// An orthographic view along the normal of the case's cut, on nothing yet (width 0).
+// An orthographic view along the normal of the case's cut, on a square of 1 m.
 View look_at_cut(const std::optional<Case>& setup);
-// What the particles that are not cut away take up of the cutting plane, snapshot by snapshot.
+// What the particles take up, seen along the view, snapshot by snapshot.
 struct Extent {
   Eigen::Vector2d low{1e30, 1e30}, high{-1e30, -1e30};  // [m] right of and above the view's middle
   void add(const View& view, const io::Snapshot& snapshot);

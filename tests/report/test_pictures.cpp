@@ -60,6 +60,17 @@ TEST_CASE("What lies before the cut is taken away") {
   CHECK(image.at(32, 32)[2] > 240);
 }
 
+TEST_CASE("A picture has a size where nothing, or nothing behind the cut, is left to frame") {
+  io::Snapshot snapshot = one_sphere();
+  snapshot.particles.position[0].y() = -1e-3;
+  for (const io::Snapshot& shown : {snapshot, io::Snapshot{}}) {
+    View view = look_at_cut(std::nullopt);
+    frame(view, shown, 0.5);
+    const Image image = draw(shown, std::nullopt, view, 64, paint_species(shown));
+    CHECK(image.height == 64);
+  }
+}
+
 TEST_CASE("Both signs of the cut's normal look the same way") {
   Case c;
   c.output.cut_point = Vec3::Zero();
