@@ -11,7 +11,7 @@ namespace {
 // one's; of the wide list and the horizon [1] of the thinnest wide skin.
 constexpr double steps_of_near_list = 14.0, thinnest_near_skin = 0.1;
 constexpr double steps_of_wide_list = 30.0, thickest_wide_skin = 5.0;
-constexpr double steps_of_horizon = 100.0, farthest_horizon = 40.0;
+constexpr double steps_of_horizon = 100.0, farthest_horizon = 20.0;
 constexpr double worn = 0.5;  // what may be left of a wide list's skin [1] that is searched anew
 
 void copy_entry(const ContactHistory& from, std::uint32_t k, ContactHistory& to) {

@@ -93,6 +93,16 @@ void check_whole(Table& root, const Case& made) {
   }
 }
 
+// The case is checked as a whole before its thermal part goes.
+void keep_mechanics(Table& root, Case& made) {
+  if (!made.fill && !made.mix) root.fault("models", "mechanics_only wants [fill] or [mix]");
+  made.models.conduction.reset();
+  made.models.radiation.reset();
+  made.models.reaction = false;
+  made.react.reset();
+  made.chamber.reset();
+}
+
 // At the place of the time step, or of what is there of its table.
 void check_time_step(Reading& reading, const Node& document, const Case& made) {
   const std::string problem = physics::time_step_fault(made);
@@ -136,6 +146,7 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   if (reading.faults() == 0 && root.has("species") && made.bed.empty()) count_explicit(root, made);
   if (reading.faults() == 0 && made.bed.empty()) check_time_step(reading, document, made);
   check_whole(root, made);
+  if (made.models.mechanics_only) keep_mechanics(root, made);
   return made;
 }
 

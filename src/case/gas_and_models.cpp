@@ -133,6 +133,7 @@ Models read_models(Table& root) {
   if (const Node* on = model(table, "radiation", defaults); on != nullptr)
     models.radiation = read_radiation(table, *on);
   models.reaction = table.flag("reaction", false);
+  models.mechanics_only = table.flag("mechanics_only", false);
   models.network = read_network(table);
   return models;
 }

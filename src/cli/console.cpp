@@ -45,6 +45,7 @@ struct Parser {
         ->expected(1)
         ->take_all();
     add_bed(run_verb);
+    add_mechanics(run_verb);
     run_verb->add_option("--threads", run_options.threads, "threads [all cores]")
         ->check(CLI::Range(0, 1024));
     run_verb->callback([this] { action = [this] { return run(run_options); }; });
@@ -65,6 +66,7 @@ struct Parser {
         ->expected(1)
         ->take_all();
     add_bed(check_verb);
+    add_mechanics(check_verb);
     check_verb->callback(
         [this] { action = [this] { return check(run_options.case_file, run_options.sets); }; });
   }
@@ -78,6 +80,12 @@ struct Parser {
     verb->add_option_function<std::string>(
         "--bed", [this](const std::string& bed) { run_options.sets.push_back(bed_setting(bed)); },
         "start from the settled bed of a run folder, or from a text dump");
+  }
+
+  void add_mechanics(CLI::App* verb) {
+    verb->add_flag_callback(
+        "--mechanics", [this] { run_options.sets.emplace_back("models.mechanics_only=true"); },
+        "particles only: filling and mixing, without heat, gas and reaction");
   }
 
   void add_looks() {

@@ -48,6 +48,17 @@ TEST_CASE("the small cases hold the same 3862 spheres, hot or ambient") {
   }
 }
 
+TEST_CASE("mechanics alone keeps particles, walls and their phases, and no heat, gas or reaction") {
+  const std::string file = PMR_SOURCE_DIR "/cases/demonstrator-small.toml";
+  const std::vector<std::string> sets{"models.mechanics_only=true"};
+  const Case made = casefile::load_case(file, sets), whole = shipped("demonstrator-small");
+  CHECK(made.walls.surfaces.size() == whole.walls.surfaces.size());
+  CHECK(made.species.at(0).count == 387);
+  CHECK((made.fill && made.mix && !made.react && !made.chamber));
+  CHECK((!made.models.conduction && !made.models.radiation && !made.models.reaction));
+  CHECK(load(made.text).text == made.text);
+}
+
 TEST_CASE("the heat network of the small rig stays below 120 wall patches") {
   std::size_t patches = 0;
   for (const Surface& surface : shipped("demonstrator-small").walls.surfaces)

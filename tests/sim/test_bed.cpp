@@ -179,12 +179,12 @@ TEST_CASE("Beds that cannot be are refused with figures") {
     return refused(tiny({bed_is(dump_in(folder, atoms))}));
   };
   CHECK(told(three) == "accepted");
-  CHECK_THAT(told("1 1 0.0015 0 0 0.0015 0 0 0\n2 1 0.0015 0 0 0.0042 0 0 0\n"
+  CHECK_THAT(told("1 1 0.0015 0 0 0.0015 0 0 0\n2 1 0.0015 0 0 0.0036 0 0 0\n"
                   "3 1 0.0015 0 0 0.01 0 0 0\n"),
-             Contains("1 pairs overlap") && Contains("20.0 %"));
-  CHECK_THAT(told("1 1 0.0015 0 0 0.0012 0 0 0\n2 1 0.0015 0 0 0.006 0 0 0\n"
+             Contains("1 pairs overlap") && Contains("60.0 %"));
+  CHECK_THAT(told("1 1 0.0015 0 0 0.0006 0 0 0\n2 1 0.0015 0 0 0.006 0 0 0\n"
                   "3 1 0.0015 0 0 0.01 0 0 0\n"),
-             Contains("overlap wall 'floor'") && Contains("20.0 %"));
+             Contains("overlap wall 'floor'") && Contains("60.0 %"));
   CHECK_THAT(told("1 1 0.0015 0 0 0.15 0 0 0\n2 1 0.0015 0 0 0.006 0 0 0\n"
                   "3 1 0.0015 0 0 0.01 0 0 0\n"),
              Contains("1 of 3 particles lie outside the domain"));

@@ -151,6 +151,7 @@ struct NetworkModel {
 };
 struct Models {
   MechanicsModel mechanics;
+  bool mechanics_only = false;  // particles move, and nothing else happens
   std::optional<ConductionModel> conduction;
   std::optional<RadiationModel> radiation;
   bool reaction = false;
