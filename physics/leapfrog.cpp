@@ -63,6 +63,7 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
   Quad block_low = none_low, block_high = none_high;
   Quad work = all(0.0), broken = all(0.0);
   double speed_squared = 0.0;
+  VelocityRange of_block;
   for (std::uint32_t first = block.first; first < block.last; first += run_length) {
     const std::uint32_t last = std::min<std::uint32_t>(block.last, first + run_length);
     Quad low = none_low, high = none_high, slowest = none_low, fastest = none_high;
@@ -83,10 +84,12 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
     }
     after.run_box[first / run_length] = {vec3(low), vec3(high)};
     after.run_velocity[first / run_length] = {array(slowest), array(fastest)};
+    of_block.include(after.run_velocity[first / run_length]);
     block_low = _mm256_min_pd(block_low, low);
     block_high = _mm256_max_pd(block_high, high);
   }
   after.block_box[block.number] = {vec3(block_low), vec3(block_high)};
+  after.block_velocity[block.number] = of_block;
   return {.fastest = std::sqrt(speed_squared),
           .is_finite = _mm256_movemask_pd(broken) == 0,
           .contact_work = (ends_step ? leapfrog.dt : half) * sum_of_three(work)};

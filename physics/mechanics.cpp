@@ -245,7 +245,7 @@ void Mechanics::take_over_motion() {
                   (box.high.array() <= domain_.high.array()).all();
   }
   VelocityRange all;
-  for (const VelocityRange& range : spheres_.run_velocity) all.include(range);
+  for (const VelocityRange& range : spheres_.block_velocity) all.include(range);
   spread_ = all.spread();
 }
 

@@ -1,6 +1,7 @@
 #include "physics/neighbours.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "physics/wide_list.hpp"
@@ -50,12 +51,14 @@ std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach
   bound(spheres, blocks);
   const WideSearch search(spheres, blocks);
   const double skin = reach * search.largest_radius();
+  std::vector<std::uint32_t> everywhere(blocks.size());
+  std::iota(everywhere.begin(), everywhere.end(), 0U);
   std::vector<std::vector<NeighbourPair>> found(spheres.run_box.size());
   parallel_for(
       found.size(),
       [&](std::size_t run) {
         WideList list;
-        search.find(spheres, static_cast<std::uint32_t>(run), skin, skin, list);
+        search.find(spheres, static_cast<std::uint32_t>(run), everywhere, skin, skin, list);
         for (std::uint32_t own = 0; own + 1 < list.start.size(); ++own) {
           const auto i = static_cast<std::uint32_t>(run * run_length) + own;
           const Sphere& a = spheres.sphere[i];

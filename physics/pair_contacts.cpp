@@ -12,6 +12,7 @@ namespace {
 constexpr double steps_of_near_list = 14.0, thinnest_near_skin = 0.1;
 constexpr double steps_of_wide_list = 30.0, thickest_wide_skin = 5.0;
 constexpr double steps_of_horizon = 100.0, farthest_horizon = 20.0;
+constexpr double far_horizons = 3.0;  // how far blocks around reach past the farthest horizon [1]
 constexpr double worn = 0.5;  // what may be left of a wide list's skin [1] that is searched anew
 
 void copy_entry(const ContactHistory& from, std::uint32_t k, ContactHistory& to) {
@@ -83,17 +84,16 @@ void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks
                         double skin, const ContactHistory& history) {
   search_ = WideSearch(spheres, blocks);
   thinnest_ = skin;
-  VelocityRange all;
-  for (const VelocityRange& range : spheres.run_velocity) all.include(range);
   lists_.assign(blocks.size(), {});  // nothing of an earlier call may live on
   parallel_for(
       blocks.size(),
       [&](std::size_t b) {
         Lists& lists = lists_[b];
         lists.block = blocks[b];
+        look_around(lists, spheres);
         lists.runs.resize((blocks[b].size() + run_length - 1) / run_length);
         for (Run& run : lists.runs) run.wide.around = {number_of(lists, run)};
-        renew(lists, spheres, all.spread(), dt);
+        renew(lists, spheres, dt);
         thin_out(lists, spheres, remembered(lists, spheres, history));
       },
       1);
@@ -101,18 +101,28 @@ void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks
 
 void PairContacts::follow(std::size_t b, const Spheres& spheres, double spread, double dt) {
   Lists& lists = lists_[b];
+  lists.far.gone += spread * dt;
+  if (lists.far.left() < 0.0) look_around(lists, spheres);
+  const double outside = speed_around(lists, spheres) * dt;
   bool is_over = false;
   for (Run& run : lists.runs) {
     const double closer = speed_around(run, spheres) * dt;
     run.near_term.gone += closer;
     run.wide_term.gone += closer;
-    run.horizon.gone += spread * dt;
+    run.horizon.gone += outside;
     is_over = is_over || run.near_term.left() < 0.0 || run.horizon.left() < 0.0;
   }
   if (!is_over) return;
   const Remembered springs = remembered(lists);
-  renew(lists, spheres, spread, dt);
+  renew(lists, spheres, dt);
   thin_out(lists, spheres, springs);
+}
+
+// What is left out stays beyond every run's horizon while `far` lasts.
+void PairContacts::look_around(Lists& lists, const Spheres& spheres) const {
+  const double horizon = farthest_horizon * thinnest_;
+  lists.far = {far_horizons * horizon};
+  lists.around = search_.blocks_around(spheres, lists.block.number, (1.0 + far_horizons) * horizon);
 }
 
 std::uint32_t PairContacts::number_of(const Lists& lists, const Run& run) {
@@ -126,8 +136,16 @@ double PairContacts::speed_around(const Run& run, const Spheres& spheres) {
   return range.spread();
 }
 
+// Likewise of pairs with runs of the blocks around.
+double PairContacts::speed_around(const Lists& lists, const Spheres& spheres) {
+  VelocityRange range;
+  for (const std::uint32_t c : lists.around) range.include(spheres.block_velocity[c]);
+  return range.spread();
+}
+
 // Sets the near terms of all runs, after a new search for those that are soon at their end.
-void PairContacts::renew(Lists& lists, const Spheres& spheres, double spread, double dt) const {
+void PairContacts::renew(Lists& lists, const Spheres& spheres, double dt) const {
+  const double outside = speed_around(lists, spheres) * dt;
   for (Run& run : lists.runs) {
     const double closer = speed_around(run, spheres) * dt;
     const double wanted = std::max(steps_of_near_list * closer, thinnest_near_skin * thinnest_);
@@ -137,8 +155,8 @@ void PairContacts::renew(Lists& lists, const Spheres& spheres, double spread, do
     if (is_worn || run.horizon.left() <= 0.0) {
       // what is not around must stay away for as long as the list is likely to last
       const double steps = std::min(steps_of_horizon, 1.2 * skin / std::max(closer, 1e-12));
-      const double horizon = std::clamp(steps * spread * dt, skin, farthest_horizon * thinnest_);
-      search_.find(spheres, number_of(lists, run), skin, horizon, run.wide);
+      const double horizon = std::clamp(steps * outside, skin, farthest_horizon * thinnest_);
+      search_.find(spheres, number_of(lists, run), lists.around, skin, horizon, run.wide);
       run.wide_term = {skin};
       run.horizon = {horizon};
     }

@@ -55,10 +55,12 @@ class PairContacts {
     WideList wide;
     Term wide_term;  // reach: the wide list's skin; for pairs with runs around
     Term near_term;  // reach: the near list's skin; likewise
-    Term horizon;    // for pairs with all other runs
+    Term horizon;    // for pairs with all other runs of the blocks around
   };
   struct Lists {
     Block block;
+    std::vector<std::uint32_t> around;  // blocks, itself among them
+    Term far;  // until what is not around may have come as near as a run's horizon
     std::vector<Run> runs;
     std::vector<PairGroup> near;  // all groups but the last of a law are full
   };
@@ -68,7 +70,9 @@ class PairContacts {
                         const ContactHistory& history) const;
   static std::uint32_t number_of(const Lists& lists, const Run& run);
   static double speed_around(const Run& run, const Spheres& spheres);
-  void renew(Lists& lists, const Spheres& spheres, double spread, double dt) const;
+  static double speed_around(const Lists& lists, const Spheres& spheres);
+  void look_around(Lists& lists, const Spheres& spheres) const;
+  void renew(Lists& lists, const Spheres& spheres, double dt) const;
   void thin_out(Lists& lists, const Spheres& spheres, const Remembered& springs) const;
   static PairGroup group_of(std::span<const NearPair> pairs, const Block& block,
                             const Remembered& springs);

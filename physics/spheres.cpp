@@ -25,6 +25,7 @@ void Places::resize(std::size_t particles, std::size_t blocks) {
   sphere.resize(particles);
   kinetics.resize(particles);
   block_box.resize(blocks);
+  block_velocity.resize(blocks);
   run_box.resize((particles + run_length - 1) / run_length);
   run_velocity.resize(run_box.size());
 }
@@ -44,8 +45,12 @@ void bound(Spheres& s, const std::vector<Block>& blocks) {
   for (std::size_t r = 0; r < s.run_box.size(); ++r)
     s.run_box[r] = box_of(r * run_length, std::min(s.size(), (r + 1) * run_length));
   s.run_velocity.assign(s.run_box.size(), {});
-  for (std::size_t i = 0; i < s.size(); ++i)
-    s.run_velocity[i / run_length].include(s.kinetics[i].velocity);
+  s.block_velocity.assign(blocks.size(), {});
+  for (const Block& block : blocks)
+    for (std::uint32_t i = block.first; i < block.last; ++i) {
+      s.run_velocity[i / run_length].include(s.kinetics[i].velocity);
+      s.block_velocity[block.number].include(s.kinetics[i].velocity);
+    }
 }
 
 void put_back(const Spheres& s, Particles& p) {

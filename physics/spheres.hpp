@@ -43,9 +43,8 @@ struct Label {
 struct Places {
   std::vector<Sphere> sphere;
   std::vector<Kinetics> kinetics;
-  std::vector<Box> block_box;               // [blocks] of the centres [m]
-  std::vector<Box> run_box;                 // [runs] likewise
-  std::vector<VelocityRange> run_velocity;  // [runs] in the drift that led here
+  std::vector<Box> block_box, run_box;                      // [blocks], [runs] of the centres [m]
+  std::vector<VelocityRange> block_velocity, run_velocity;  // likewise, in the drift that led here
   void resize(std::size_t particles, std::size_t blocks);
 };
 

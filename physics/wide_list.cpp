@@ -110,7 +110,18 @@ WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks)
         *most = std::max(*most, spheres.sphere[i].radius);
 }
 
-void WideSearch::look_around(const Spheres& spheres, std::uint32_t run, double horizon,
+std::vector<std::uint32_t> WideSearch::blocks_around(const Spheres& spheres, std::uint32_t block,
+                                                     double horizon) const {
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t c = 0; c < blocks_.size(); ++c) {
+    const double reach = (block_radius_[block] + block_radius_[c] + horizon) * outwards;
+    if (overlap(grown(spheres.block_box[block], reach), spheres.block_box[c])) around.push_back(c);
+  }
+  return around;
+}
+
+void WideSearch::look_around(const Spheres& spheres, std::uint32_t run,
+                             std::span<const std::uint32_t> blocks, double horizon,
                              WideList& list) const {
   list.around.clear();
   const auto is_within = [&](const Box& box, double radius) {
@@ -118,7 +129,8 @@ void WideSearch::look_around(const Spheres& spheres, std::uint32_t run, double h
     return overlap(grown(spheres.run_box[run], reach), box);
   };
   const std::uint32_t first = run * run_length;
-  for (const Block& block : blocks_) {
+  for (const std::uint32_t b : blocks) {
+    const Block& block = blocks_[b];
     if (!is_within(spheres.block_box[block.number], block_radius_[block.number])) continue;
     const std::uint32_t begin = block.holds(first) ? first : block.first;
     for (std::uint32_t r = begin / run_length; r * run_length < block.last; ++r)
@@ -146,9 +158,10 @@ WideSearch::Candidates WideSearch::candidates(const Spheres& spheres, std::uint3
   return found;
 }
 
-void WideSearch::find(const Spheres& spheres, std::uint32_t run, double skin, double horizon,
+void WideSearch::find(const Spheres& spheres, std::uint32_t run,
+                      std::span<const std::uint32_t> blocks, double skin, double horizon,
                       WideList& list) const {
-  look_around(spheres, run, horizon, list);
+  look_around(spheres, run, blocks, horizon, list);
   const Candidates near = candidates(spheres, run, skin, list);
   const std::size_t first = std::size_t{run} * run_length;
   const std::size_t own = std::min<std::size_t>(run_length, spheres.size() - first);

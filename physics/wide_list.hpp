@@ -28,17 +28,23 @@ class WideSearch {
   WideSearch() = default;
   WideSearch(const Spheres& spheres, const std::vector<Block>& blocks);  // radii are kept
 
+  // Blocks with boxes (of whole spheres) closer than `horizon` [m] to that of one.
+  std::vector<std::uint32_t> blocks_around(const Spheres& spheres, std::uint32_t block,
+                                           double horizon) const;
+
   // Pairs of the run with surfaces closer than `skin` [m] as the spheres and their boxes stand, and
   // perhaps some that are farther apart by 1e-6 of the run's box, skin and largest diameter;
-  // `around` are the runs with boxes (of whole spheres) closer than `horizon` >= skin [m].
-  void find(const Spheres& spheres, std::uint32_t run, double skin, double horizon,
-            WideList& list) const;
+  // `around` are the runs with boxes (of whole spheres) closer than `horizon` >= skin [m], of those
+  // of `blocks`.
+  void find(const Spheres& spheres, std::uint32_t run, std::span<const std::uint32_t> blocks,
+            double skin, double horizon, WideList& list) const;
 
   double largest_radius() const { return largest_; }  // [m]
 
  private:
   struct Candidates;
-  void look_around(const Spheres& spheres, std::uint32_t run, double horizon, WideList& list) const;
+  void look_around(const Spheres& spheres, std::uint32_t run, std::span<const std::uint32_t> blocks,
+                   double horizon, WideList& list) const;
   Candidates candidates(const Spheres& spheres, std::uint32_t run, double skin,
                         const WideList& list) const;
 

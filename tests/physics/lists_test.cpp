@@ -56,7 +56,8 @@ TEST_CASE("Wide lists hold every pair within the skin, near pairs those within t
     std::vector<WideList> lists((block.size() + run_length - 1) / run_length);
     std::vector<NearRun> runs;
     for (std::uint32_t r = 0; r < lists.size(); ++r) {
-      search.find(s, block.first / run_length + r, skin, 2e-3, lists[r]);
+      search.find(s, block.first / run_length + r, search.blocks_around(s, block.number, 2e-3),
+                  skin, 2e-3, lists[r]);
       runs.push_back({&lists[r], thin});
     }
     for (std::uint32_t row = 0; row < block.size(); ++row)
