@@ -17,12 +17,12 @@ struct Block {
   std::uint32_t size() const { return last - first; }
 };
 
-inline constexpr std::uint32_t largest_block = 512;  // [particles]
+inline constexpr std::uint32_t largest_block = 1024;  // [particles]
 // Runs: the unit of bounds and of wide lists; blocks start at multiples of it.
 inline constexpr std::uint32_t run_length = 32;  // [particles]
 
 // Cuts n particles into blocks; their size depends on n only: small enough for threads to share
-// the work evenly, large enough that few pairs cross (one in eight of a cube of 8 x 8 x 8).
+// the work evenly, large enough that few pairs cross (one in ten of a cube of 10 x 10 x 10).
 std::vector<Block> cut(std::size_t n);
 
 // The velocities of some particles lie in this box. Fourth components are 0, so that a range is

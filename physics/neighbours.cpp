@@ -43,12 +43,36 @@ void bisect(std::span<Place> places, std::size_t block) {
   bisect(places.subspan(half), block);
 }
 
+Spheres in_order(const Spheres& spheres, const std::vector<std::uint32_t>& order) {
+  Spheres sorted;
+  for (const std::uint32_t i : order) {
+    sorted.sphere.push_back(spheres.sphere[i]);
+    sorted.kinetics.push_back(spheres.kinetics[i]);
+    sorted.label.push_back(spheres.label[i]);
+  }
+  bound(sorted, cut(sorted.size()));
+  return sorted;
+}
+
 }  // namespace
 
+std::vector<std::uint32_t> spatial_order(const Particles& particles) {
+  std::vector<Place> places;
+  places.reserve(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    places.push_back({particles.position[i], particles.id[i], static_cast<std::uint32_t>(i)});
+  const std::vector<Block> blocks = cut(places.size());
+  if (!blocks.empty()) bisect(places, blocks[0].size());
+  std::vector<std::uint32_t> order;
+  order.reserve(places.size());
+  for (const Place& place : places) order.push_back(place.index);
+  return order;
+}
+
 std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach) {
-  Spheres spheres = gather_spheres(particles);
+  const std::vector<std::uint32_t> order = spatial_order(particles);
+  const Spheres spheres = in_order(gather_spheres(particles), order);
   const std::vector<Block> blocks = cut(spheres.size());
-  bound(spheres, blocks);
   const WideSearch search(spheres, blocks);
   const double skin = reach * search.largest_radius();
   std::vector<std::uint32_t> everywhere(blocks.size());
@@ -62,34 +86,22 @@ std::vector<NeighbourPair> pairs_within(const Particles& particles, double reach
         for (std::uint32_t own = 0; own + 1 < list.start.size(); ++own) {
           const auto i = static_cast<std::uint32_t>(run * run_length) + own;
           const Sphere& a = spheres.sphere[i];
-          const std::size_t row = found[run].size();
           for (const std::uint32_t j : list.row(own)) {
             const Sphere& s = spheres.sphere[j];
             const double gap = (a.position - s.position).norm() - (a.radius + s.radius);
             if (j > i && gap < reach * std::min(a.radius, s.radius))
-              found[run].push_back({i, j, gap});
+              found[run].push_back(
+                  {std::min(order[i], order[j]), std::max(order[i], order[j]), gap});
           }
-          std::sort(found[run].begin() + static_cast<std::ptrdiff_t>(row), found[run].end(),
-                    [](const NeighbourPair& p, const NeighbourPair& q) { return p.j < q.j; });
         }
       },
       1);
   std::vector<NeighbourPair> all;
   for (const auto& pairs : found) all.insert(all.end(), pairs.begin(), pairs.end());
+  std::sort(all.begin(), all.end(), [](const NeighbourPair& p, const NeighbourPair& q) {
+    return p.i != q.i ? p.i < q.i : p.j < q.j;
+  });
   return all;
-}
-
-std::vector<std::uint32_t> spatial_order(const Particles& particles) {
-  std::vector<Place> places;
-  places.reserve(particles.size());
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    places.push_back({particles.position[i], particles.id[i], static_cast<std::uint32_t>(i)});
-  const std::vector<Block> blocks = cut(places.size());
-  if (!blocks.empty()) bisect(places, blocks[0].size());
-  std::vector<std::uint32_t> order;
-  order.reserve(places.size());
-  for (const Place& place : places) order.push_back(place.index);
-  return order;
 }
 
 }  // namespace pmr::physics

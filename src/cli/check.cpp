@@ -16,7 +16,7 @@ namespace pmr::cli {
 namespace {
 
 // Measured on two cores of a 2023 server, small and full rig; for a forecast to a factor of two.
-constexpr double particle_steps_per_second = 8e6;    // [1/s]
+constexpr double particle_steps_per_second = 12e6;   // [1/s]
 constexpr double react_seconds_per_particle = 0.02;  // [s] of 30 minutes of reaction
 
 std::string grouped(std::size_t value) {

@@ -124,7 +124,7 @@ bool Schedule::move_on(State& state, double rms_speed) const {
   state.phase = phase_after(case_, before);
   state.rest_since = infinity;
   if (filling) state.time = 0.0;
-  if (state.phase == Phase::react) state.settled_at = state.time;
+  if (state.phase == Phase::react || (at_rest && !filling)) state.settled_at = state.time;
   return true;
 }
 
