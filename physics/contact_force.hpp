@@ -32,14 +32,34 @@ struct Triple {
   }
 };
 
+// c + a b and c - a b in one rounding: a tenth less work for the kernel, and said here rather than
+// left to the compiler, so that all compilers agree on the bits.
+[[gnu::always_inline]] inline double plus(double c, double a, double b) {
+  return std::fma(a, b, c);
+}
+[[gnu::always_inline]] inline double minus(double c, double a, double b) {
+  return std::fma(-a, b, c);
+}
+
+template <class Real>
+[[gnu::always_inline]] inline Triple<Real> plus(const Triple<Real>& c, const Real& a,
+                                                const Triple<Real>& b) {
+  return {plus(c.x, a, b.x), plus(c.y, a, b.y), plus(c.z, a, b.z)};
+}
+template <class Real>
+[[gnu::always_inline]] inline Triple<Real> minus(const Triple<Real>& c, const Real& a,
+                                                 const Triple<Real>& b) {
+  return {minus(c.x, a, b.x), minus(c.y, a, b.y), minus(c.z, a, b.z)};
+}
+
 template <class Real>
 [[gnu::always_inline]] inline Real dot(const Triple<Real>& a, const Triple<Real>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return plus(plus(a.x * b.x, a.y, b.y), a.z, b.z);
 }
 
 template <class Real>
 [[gnu::always_inline]] inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {minus(a.y * b.z, a.z, b.y), minus(a.z * b.x, a.x, b.z), minus(a.x * b.y, a.y, b.x)};
 }
 
 [[gnu::always_inline]] inline bool any(bool condition) { return condition; }
@@ -100,30 +120,30 @@ template <class Real>
 
   const Real v_n = dot(t.velocity, t.n);
   const Real spring = law.normal * s * t.overlap;
-  const Real f_n = spring - law.normal_damping * root * v_n;
+  const Real f_n = minus(spring, law.normal_damping * root, v_n);
 
   const Real k_t = law.tangential * s;
-  const Triple<Real> slip = t.velocity - v_n * t.n - cross(t.surface_spin, t.n);
-  Triple<Real> d_t = springs.tangential + dt * slip;
-  d_t = d_t - dot(d_t, t.n) * t.n;
+  const Triple<Real> slip = minus(t.velocity, v_n, t.n) - cross(t.surface_spin, t.n);
+  Triple<Real> d_t = plus(springs.tangential, dt, slip);
+  d_t = minus(d_t, dot(d_t, t.n), t.n);
   const Real spring_squared = k_t * k_t * dot(d_t, d_t);
   const Real limit = law.friction * abs(f_n);
   const auto slides = spring_squared > limit * limit;
   if (any(slides)) d_t = select(slides, limit / sqrt(spring_squared), one) * d_t;
   const Real c_t = select(slides, zero, law.tangential_damping * root);
-  const Triple<Real> f_t = (zero - k_t) * d_t - c_t * slip;
+  const Triple<Real> f_t = minus((zero - k_t) * d_t, c_t, slip);
   springs.tangential = d_t;
 
   const Real k_r = k_t * t.reduced_radius * t.reduced_radius;
-  const Triple<Real> roll = t.relative_spin - dot(t.relative_spin, t.n) * t.n;
-  Triple<Real> torque = springs.rolling + (k_r * dt * t.rolling_gain) * roll;
+  const Triple<Real> roll = minus(t.relative_spin, dot(t.relative_spin, t.n), t.n);
+  Triple<Real> torque = plus(springs.rolling, k_r * dt * t.rolling_gain, roll);
   const Real torque_limit = law.rolling_friction * t.reduced_radius * abs(f_n);
   const Real torque_squared = dot(torque, torque);
   const auto gives_way = torque_squared > torque_limit * torque_limit;
   if (any(gives_way)) torque = select(gives_way, torque_limit / sqrt(torque_squared), one) * torque;
   springs.rolling = torque;
 
-  return {f_n * t.n + f_t, cross(t.n, f_t), torque, Real{0.4} * spring * t.overlap};
+  return {plus(f_t, f_n, t.n), cross(t.n, f_t), torque, Real{0.4} * spring * t.overlap};
 }
 
 }  // namespace pmr::physics

@@ -87,6 +87,13 @@ struct Lanes {
 [[gnu::always_inline]] inline Lanes operator*(Lanes a, Lanes b) {
   return PMR_LANES(mul_pd)(a.v, b.v);
 }
+// c + a b, c - a b, in one rounding
+[[gnu::always_inline]] inline Lanes plus(Lanes c, Lanes a, Lanes b) {
+  return PMR_LANES(fmadd_pd)(a.v, b.v, c.v);
+}
+[[gnu::always_inline]] inline Lanes minus(Lanes c, Lanes a, Lanes b) {
+  return PMR_LANES(fnmadd_pd)(a.v, b.v, c.v);
+}
 [[gnu::always_inline]] inline Lanes operator/(Lanes a, Lanes b) {
   return PMR_LANES(div_pd)(a.v, b.v);
 }

@@ -9,7 +9,7 @@ namespace {
 
 // How many sub-steps lists are to last, and bounds on their skins: of the near list [1] of the wide
 // one's; of the wide list and the horizon [1] of the thinnest wide skin.
-constexpr double steps_of_near_list = 14.0, thinnest_near_skin = 0.1;
+constexpr double steps_of_near_list = 14.0, thinnest_near_skin = 0.4;
 constexpr double steps_of_wide_list = 30.0, thickest_wide_skin = 5.0;
 constexpr double steps_of_horizon = 100.0, farthest_horizon = 20.0;
 constexpr double far_horizons = 3.0;  // how far blocks around reach past the farthest horizon [1]

@@ -102,7 +102,7 @@ struct Sums {
   const Touch<Lanes> touch{product * sum * inverse_mass * d,
                            overlap,
                            vector(a.motion) - vector(b.motion),
-                           arm_i * vector(a.spin) + arm_j * vector(b.spin),
+                           plus(arm_i * vector(a.spin), arm_j, vector(b.spin)),
                            vector(a.spin) - vector(b.spin),
                            one,
                            radius_i * radius_j * (product * distance * inverse_mass),
@@ -113,12 +113,12 @@ struct Sums {
   store_vector(group.rolling, from, touches, springs.rolling);
 
   const Records force(f.force);
-  const Records torque_i((zero - arm_i) * f.twist - f.rolling);
-  const Records torque_j(f.rolling - arm_j * f.twist);
+  const Records less_torque_i(plus(f.rolling, arm_i, f.twist));
+  const Records torque_j(minus(f.rolling, arm_j, f.twist));
   for_each_bit(touching & bits_of(group.own_i), [&](std::size_t l) {
     double* const to = work.load + (i[l] - work.first);
     add(to, force.of_lane[l]);
-    add(to + 4, torque_i.of_lane[l]);
+    subtract(to + 4, less_torque_i.of_lane[l]);
   });
   for_each_bit(touching & bits_of(group.own_j), [&](std::size_t l) {
     double* const to = work.load + (j[l] - work.first);
