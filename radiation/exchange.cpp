@@ -90,17 +90,16 @@ UnitResult trace_unit(const Setup& setup, const Unit& unit) {
   const QuasiPoints quasi(setup.input.seed, unit.node, setup.input.step);
   const auto rays = static_cast<double>(setup.rays[unit.node]);
   UnitResult result;
-  std::vector<std::uint32_t> absorbers;
-  absorbers.reserve(unit.last - unit.first);
+  Tally absorbers(unit.last - unit.first);
   for (std::uint64_t ray = unit.first; ray < unit.last; ++ray) {
     const double fraction = (static_cast<double>(ray) + quasi.offset()) / rays;
     const std::uint32_t primitive = setup.emitters.pick(unit.node, fraction);
     const Departure departure = emit(setup.tracer.scene(), primitive, quasi.point(ray));
     const std::uint32_t absorber = fly(setup, departure, unit.node, ray);
     result.unfinished += absorber == none ? 1 : 0;
-    absorbers.push_back(absorber == none ? unit.node : absorber);
+    absorbers.add(absorber == none ? unit.node : absorber);
   }
-  result.hits = count_equal(std::move(absorbers));
+  result.hits = absorbers.row();
   return result;
 }
 
@@ -164,13 +163,13 @@ std::vector<std::uint64_t> view_counts(const Tracer& tracer, std::uint32_t primi
   parallel_for(
       blocks,
       [&](std::uint64_t b) {
-        std::vector<std::uint32_t> landed;
+        Tally landed(rays_per_unit);
         for (std::uint64_t r = b * rays_per_unit; r < std::min(rays, (b + 1) * rays_per_unit);
              ++r) {
           const Hit hit = tracer.follow(emit(tracer.scene(), primitive, quasi.point(r)));
-          landed.push_back(hit.is_empty() ? nodes - 1 : hit.node);
+          landed.add(hit.is_empty() ? nodes - 1 : hit.node);
         }
-        rows[b] = count_equal(std::move(landed));
+        rows[b] = landed.row();
       },
       1);
   std::vector<std::uint64_t> counts(nodes, 0);

@@ -21,10 +21,17 @@ class QuasiPoints {
   std::array<double, 5> shift_;
 };
 
+// Cosine and sine of v turns, v in [0, 1], within 1e-8.
+struct Turn {
+  double cosine, sine;  // [1]
+};
+Turn turn(double v);
+
 // Uniform over the unit sphere, from two numbers in [0, 1).
 Vec3 on_sphere(double u, double v);
 
-// Diffuse (Lambert) about the unit normal: density cos(theta)/pi.
+// Diffuse (Lambert) about the unit normal, density cos(theta)/pi: from the foot of the unit sphere
+// that stands on the surface to a point uniform over it.
 Vec3 diffuse(const Vec3& normal, double u, double v);
 
 // Barycentric weights of a point uniform over a triangle.

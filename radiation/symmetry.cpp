@@ -1,6 +1,7 @@
 #include "radiation/symmetry.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "pmr/base/parallel.hpp"
@@ -129,14 +130,21 @@ std::vector<double> finish(Csr& g, const std::vector<double>& scale) {
 
 }  // namespace
 
-CountRow count_equal(std::vector<std::uint32_t> nodes) {
-  std::sort(nodes.begin(), nodes.end());
+Tally::Tally(std::size_t rays) : slot_(std::bit_ceil(2 * rays + 1)) {}
+
+void Tally::add(std::uint32_t node) {
+  const std::size_t last = slot_.size() - 1;
+  std::size_t k = (node * std::size_t{0x9e3779b1}) & last;
+  while (slot_[k].rays != 0 && slot_[k].node != node) k = (k + 1) & last;
+  slot_[k].node = node;
+  ++slot_[k].rays;
+}
+
+CountRow Tally::row() const {
   CountRow row;
-  for (const std::uint32_t node : nodes)
-    if (!row.empty() && row.back().node == node)
-      ++row.back().rays;
-    else
-      row.push_back({node, 1});
+  for (const Count& c : slot_)
+    if (c.rays != 0) row.push_back(c);
+  std::sort(row.begin(), row.end(), [](const Count& a, const Count& b) { return a.node < b.node; });
   row.shrink_to_fit();
   return row;
 }

@@ -1,5 +1,6 @@
 // From counts of rays to a symmetric matrix with the right row sums.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +14,18 @@ struct Count {
 };
 using CountRow = std::vector<Count>;  // ascending nodes
 
-// Sorts and counts; adds one row to another.
-CountRow count_equal(std::vector<std::uint32_t> nodes);
+// Counts rays by the node that absorbed them.
+class Tally {
+ public:
+  explicit Tally(std::size_t rays);  // [1] at most this many will be added
+  void add(std::uint32_t node);
+  CountRow row() const;
+
+ private:
+  std::vector<Count> slot_;  // by hash of the node; rays 0: empty
+};
+
+// Adds one row to another.
 void add_counts(CountRow& sum, CountRow&& row);
 
 struct Counted {
