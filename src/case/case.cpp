@@ -84,6 +84,9 @@ void check_whole(Table& root, const Case& made) {
     root.fault("models", "the gas gaps want [chamber] for the gas; or set conduction.gap = false");
   if (models.reaction && !made.chamber)
     root.fault("models", "the reaction wants [chamber] for the oxygen pressure");
+  if (made.conductivity && (!made.chamber || !models.conduction || !models.radiation))
+    root.fault("conductivity",
+               "wanted [chamber], models.conduction and [models.radiation] with it");
   for (std::size_t k = 0; k < made.particles.size(); ++k) {
     const Vec3& at = made.particles[k].position;
     const bool outside = (at.array() < made.domain_low.array()).any() ||
@@ -101,6 +104,7 @@ void keep_mechanics(Table& root, Case& made) {
   made.models.reaction = false;
   made.react.reset();
   made.chamber.reset();
+  made.conductivity.reset();
 }
 
 // At the place of the time step, or of what is there of its table.
@@ -141,6 +145,7 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   made.chamber = read_chamber(root, rig, rig_is_faulty);
   made.decomposition = read_decomposition(root, base_dir);
   made.thermocouples = read_thermocouples(root);
+  made.conductivity = read_conductivity(root, made.walls);
   made.output = read_output(root);
   made.materials = book.finish(made.models);
   if (reading.faults() == 0 && root.has("species") && made.bed.empty()) count_explicit(root, made);

@@ -174,7 +174,8 @@ Material read_material(Reading& reading, const Node& node, const std::string& na
     material.conductivity = TabulatedConductivity{constant(nan)};
     read_law(table, "conductivity",
              [&](Table& law) { material.conductivity = read_conductivity(law); });
-    material.emissivity = read_emissivity(table);
+    material.emissivity = {read_emissivity(table),
+                           table.value("emissivity_per_delta", a_number, 0.0)};
     material.accommodation = table.value("accommodation", {Dimension::none, {0, 1, true}}, nan);
     if (const Node* redox = table.look_table("redox"); redox != nullptr) {
       Table inner(reading, *redox, table.path("redox"));

@@ -45,7 +45,7 @@ std::string lacking(const Material& m, unsigned roles, const Models& models) {
   if ((particle || lining) && no_heat) return "heat";
   if (touches && std::isnan(m.young_soft)) return "young_soft";
   if (touches && std::isnan(m.poisson_soft)) return "poisson_soft";
-  if (touches && models.radiation && std::isnan(m.emissivity.y.front())) return "emissivity";
+  if (touches && models.radiation && std::isnan(m.emissivity.table.y.front())) return "emissivity";
   if (!models.conduction) return lining && lacks_conductivity(m) ? "conductivity" : "";
   if (lacks_conductivity(m)) return "conductivity";
   if (touches && std::isnan(m.young_real)) return "young_real";

@@ -31,6 +31,7 @@ std::optional<MixPhase> read_mix(Table& root);
 std::optional<ReactPhase> read_react(Table& root);
 std::optional<Decomposition> read_decomposition(Table& root, const std::filesystem::path& base_dir);
 std::vector<Thermocouple> read_thermocouples(Table& root);
+std::optional<ConductivityInstrument> read_conductivity(Table& root, const Walls& walls);
 OutputCase read_output(Table& root);
 
 // gas_and_models.cpp

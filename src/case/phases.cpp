@@ -1,8 +1,10 @@
 // Phases, instruments and output.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
+#include "case/nearest.hpp"
 #include "case/parts.hpp"
 #include "case/reference.hpp"
 #include "pmr/base/constants.hpp"
@@ -14,6 +16,16 @@ constexpr Want a_speed{Dimension::speed, positive};
 
 RestCriterion read_rest(Table& table) {
   return {table.value("rest_speed", a_speed), table.value("rest_hold", a_duration)};
+}
+
+// A plate of the conductivity instrument, by the name of its surface.
+std::uint32_t read_plate(Table& table, const std::string& key, const Walls& walls) {
+  std::vector<std::string> names;
+  for (const Surface& surface : walls.surfaces) names.push_back(surface.name);
+  const std::string name = table.word(key, "the name of a wall");
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end() && !name.empty()) table.fault(key, unknown_word("wall", name, names));
+  return static_cast<std::uint32_t>(found - names.begin());
 }
 
 }  // namespace
@@ -78,6 +90,26 @@ std::vector<Thermocouple> read_thermocouples(Table& root) {
         {name, table.vector("position", Dimension::length), table.value("radius", a_length)});
   });
   return all;
+}
+
+std::optional<ConductivityInstrument> read_conductivity(Table& root, const Walls& walls) {
+  const Node* node = root.look_table("conductivity");
+  if (node == nullptr) return std::nullopt;
+  Table table(root.reading(), *node, "conductivity");
+  ConductivityInstrument tool{};
+  tool.hot = read_plate(table, "hot", walls);
+  tool.cold = read_plate(table, "cold", walls);
+  tool.difference = table.value("difference", {Dimension::temperature_difference, positive});
+  tool.temperatures = table.values("temperatures", a_temperature);
+  tool.pressures = table.values("pressures", {Dimension::pressure, positive});
+  for (std::uint32_t s = 0; s < walls.surfaces.size(); ++s) {
+    const Surface& surface = walls.surfaces[s];
+    if (s == tool.hot || s == tool.cold || std::holds_alternative<Adiabatic>(surface.thermal))
+      continue;
+    root.fault("conductivity",
+               fmt::format("wants all walls but its plates adiabatic; '{}' is not", surface.name));
+  }
+  return tool;
 }
 
 OutputCase read_output(Table& root) {

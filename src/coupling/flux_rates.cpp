@@ -1,6 +1,8 @@
 #include "coupling/flux_rates.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "chemistry/redox.hpp"
 #include "pmr/base/parallel.hpp"
@@ -23,10 +25,11 @@ Kind kind_of(const System& system, std::size_t node) {
 // Heat `q` [W] from node a to node b by one path, put where the books want it.
 struct Sorter {
   const System& system;
+  const std::vector<Kind>& kind;  // by node
   Fluxes rates{};
 
   void add(std::size_t a, std::size_t b, double q, double& path) {
-    Kind from = kind_of(system, a), to = kind_of(system, b);
+    const Kind from = kind[a], to = kind[b];
     if (from == Kind::redox && to == Kind::inert) path -= q;
     if (from == Kind::inert && to == Kind::redox) path += q;
     const bool from_particle = from == Kind::inert || from == Kind::redox;
@@ -41,24 +44,44 @@ struct Sorter {
   }
 };
 
-void add_links(const System& system, const Evaluation& at, Sorter& sorter) {
-  for (const HeatLink& link : system.links) {
-    const double fall = at.temperature[link.a] - at.temperature[link.b];
-    sorter.add(link.a, link.b, link.contact * fall, sorter.rates.contact);
-    sorter.add(link.a, link.b, link.gap * fall, sorter.rates.gap);
-  }
+void add_to(Fluxes& sum, Fluxes part) {
+  std::vector<double*> places;
+  for_each_flux(sum, [&](const char*, const char*, double& flux) { places.push_back(&flux); });
+  std::size_t k = 0;
+  for_each_flux(part, [&](const char*, const char*, double& flux) { *places[k++] += flux; });
 }
 
-void add_radiation(const System& system, const Evaluation& at, Sorter& sorter) {
-  if (system.exchange == nullptr) return;
-  for (std::size_t a = 0; a < system.exchange->rows(); ++a) {
-    const auto columns = system.exchange->columns(a);
-    const auto factors = system.exchange->values(a);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      if (columns[k] > a)
-        sorter.add(a, columns[k], factors[k] * (at.emission[a] - at.emission[columns[k]]),
-                   sorter.rates.radiation);
-  }
+// Sums what visit(item, sorter) sorts over all items, block by block in order: the same bits on any
+// number of threads.
+template <class Visit>
+Fluxes sort_all(const System& system, const std::vector<Kind>& kind, std::size_t items,
+                const Visit& visit) {
+  std::vector<Fluxes> part((items + block_size - 1) / block_size);
+  parallel_blocks(items, [&](std::size_t first, std::size_t last) {
+    Sorter sorter{system, kind};
+    for (std::size_t k = first; k < last; ++k) visit(k, sorter);
+    part[first / block_size] = sorter.rates;
+  });
+  Fluxes sum{};
+  for (const Fluxes& p : part) add_to(sum, p);
+  return sum;
+}
+
+void sort_link(const System& system, const Evaluation& at, std::size_t k, Sorter& sorter) {
+  const HeatLink& link = system.links[k];
+  const double fall = at.temperature[link.a] - at.temperature[link.b];
+  sorter.add(link.a, link.b, link.contact * fall, sorter.rates.contact);
+  sorter.add(link.a, link.b, link.gap * fall, sorter.rates.gap);
+}
+
+// Of the two halves of the matrix the one above the diagonal.
+void sort_radiation(const System& system, const Evaluation& at, std::size_t a, Sorter& sorter) {
+  const auto columns = system.exchange->columns(a);
+  const auto factors = system.exchange->values(a);
+  const auto above = std::upper_bound(columns.begin(), columns.end(), a) - columns.begin();
+  for (auto k = static_cast<std::size_t>(above); k < columns.size(); ++k)
+    sorter.add(a, columns[k], factors[k] * (at.emission[a] - at.emission[columns[k]]),
+               sorter.rates.radiation);
 }
 
 void add_walls(const System& system, const Evaluation& at, Fluxes& rates) {
@@ -97,15 +120,20 @@ void add_gas(const GasRates& gas, Fluxes& rates) {
 }  // namespace
 
 Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const double> y) {
-  Sorter sorter{system};
-  add_links(system, at, sorter);
-  add_radiation(system, at, sorter);
-  add_walls(system, at, sorter.rates);
-  add_reaction(system, at, y, sorter.rates);
-  if (system.closed) add_gas(at.gas, sorter.rates);
-  sorter.rates.heat_exchanged =
+  std::vector<Kind> kind(system.nodes->count());
+  parallel_for(kind.size(), [&](std::size_t node) { kind[node] = kind_of(system, node); });
+  Fluxes rates = sort_all(system, kind, system.links.size(),
+                          [&](std::size_t k, Sorter& sorter) { sort_link(system, at, k, sorter); });
+  if (system.exchange != nullptr)
+    add_to(rates,
+           sort_all(system, kind, system.exchange->rows(),
+                    [&](std::size_t a, Sorter& sorter) { sort_radiation(system, at, a, sorter); }));
+  add_walls(system, at, rates);
+  add_reaction(system, at, y, rates);
+  if (system.closed) add_gas(at.gas, rates);
+  rates.heat_exchanged =
       parallel_sum(system.nodes->particles, [&](std::size_t id) { return std::abs(at.heat[id]); });
-  return sorter.rates;
+  return rates;
 }
 
 }  // namespace pmr::coupling

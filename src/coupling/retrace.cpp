@@ -59,12 +59,12 @@ std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State&
   const Particles& p = state.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
     emissivity[p.id[i]] =
-        c.materials.list[c.species[p.species[i]].material].emissivity(p.temperature[i]);
+        c.materials.list[c.species[p.species[i]].material].emissivity(p.temperature[i], p.delta[i]);
   const auto faces = patch_temperatures(c, nodes, state.walls);
   for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
     const Surface& surface = c.walls.surfaces[nodes.patches[k].surface];
     if (!std::holds_alternative<Adiabatic>(surface.thermal))
-      emissivity[nodes.patch(k)] = c.materials.list[surface.material].emissivity(faces[k]);
+      emissivity[nodes.patch(k)] = c.materials.list[surface.material].emissivity(faces[k], 0.0);
   }
   emissivity[nodes.surroundings()] = 1.0;
   return emissivity;

@@ -9,14 +9,26 @@
 namespace pmr::coupling {
 namespace {
 
+// Both halves of the matrix of links that stand in order of (a, b), a < b: each row's lower part
+// comes in order of a, its upper part in order of b.
 Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes) {
-  std::vector<Triplet> triplets;
-  triplets.reserve(2 * links.size());
+  Csr csr;
+  csr.start.assign(nodes + 1, 0);
   for (const HeatLink& link : links) {
-    triplets.push_back({link.a, link.b, link.contact + link.gap});
-    triplets.push_back({link.b, link.a, link.contact + link.gap});
+    ++csr.start[link.a + 1];
+    ++csr.start[link.b + 1];
   }
-  return assemble(nodes, std::move(triplets));
+  for (std::size_t row = 0; row < nodes; ++row) csr.start[row + 1] += csr.start[row];
+  csr.column.resize(2 * links.size());
+  csr.value.resize(2 * links.size());
+  std::vector<std::uint64_t> next(csr.start.begin(), csr.start.end() - 1);
+  const auto put = [&](Node row, Node column, const HeatLink& link) {
+    csr.column[next[row]] = column;
+    csr.value[next[row]++] = link.contact + link.gap;
+  };
+  for (const HeatLink& link : links) put(link.b, link.a, link);
+  for (const HeatLink& link : links) put(link.a, link.b, link);
+  return csr;
 }
 
 void list_particles(const Case& c, const State& state, System& system) {

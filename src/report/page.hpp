@@ -37,6 +37,7 @@ Section answer_section(const RunData& run);
 Section picture_section(const RunData& run);
 Section course_section(const RunData& run, Charts& charts);
 Section books_section(const RunData& run, Charts& charts);
+Section conductivity_section(const RunData& run, Charts& charts);  // where it was measured
 Section reproduction_section(const RunData& run);
 
 std::string assemble(const std::string& title, const std::string& subtitle,

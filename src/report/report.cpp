@@ -49,6 +49,8 @@ std::string report_page(const RunData& run) {
   std::vector<Section> sections{answer_section(run), picture_section(run)};
   sections.push_back(mixture_section({&run}, charts));
   sections.push_back(course_section(run, charts));
+  if (run.summary.has("effective_conductivity"))
+    sections.push_back(conductivity_section(run, charts));
   sections.push_back(books_section(run, charts));
   sections.push_back(reproduction_section(run));
   return assemble(title_of(run), description_of(run), sections, charts);

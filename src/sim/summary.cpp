@@ -15,6 +15,7 @@
 #include "physics/mechanics.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
+#include "sim/conductivity.hpp"
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
 
@@ -130,7 +131,8 @@ double largest_biot(const Case& c, const State& state, std::size_t species) {
   for (std::size_t i = 0; i < state.particles.size(); ++i) {
     if (state.particles.species[i] != species) continue;
     const double T = state.particles.temperature[i];
-    const double film = 4.0 * material.emissivity(T) * stefan_boltzmann * T * T * T;
+    const double film =
+        4.0 * material.emissivity(T, state.particles.delta[i]) * stefan_boltzmann * T * T * T;
     largest = std::max(largest, film * state.particles.radius[i] / 3.0 /
                                     physics::conductivity(material.conductivity, T, pressure));
   }
@@ -258,6 +260,19 @@ void add_heat(const SummaryInput& in, Json& summary) {
                            {"gas", f.gas_energy_out - f.gas_energy_in}};
 }
 
+Json conductivity_of(const SummaryInput& in) {
+  Json points = Json::array();
+  for (const BedConductivity& k : measure_conductivity(in.setup, in.state))
+    points.push_back({{"temperature", k.temperature},
+                      {"pressure", k.pressure},
+                      {"conductivity", number(k.total())},
+                      {"contact", number(k.contact)},
+                      {"gap", number(k.gap)},
+                      {"radiation", number(k.radiation)},
+                      {"zehner_bauer_schluender", number(k.correlation)}});
+  return points;
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
@@ -269,6 +284,8 @@ void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   if (const auto sections = instruments::decompose(in.setup, in.state.particles))
     summary["homogeneity"] = homogeneity_of(in, *sections);
   if (has_heat(in.setup)) add_heat(in, summary);
+  if (in.setup.conductivity && in.status == "completed")
+    summary["effective_conductivity"] = conductivity_of(in);
   summary["books"] = books_of(in);
   summary["lost_particles"] = lost_of(in.state);
   summary["warnings"] = limits_touched(in.setup, in.state);

@@ -72,7 +72,7 @@ Check ten_balls() {
 Check radiating_ball() {
   const double radius = 1e-3, density = 3000.0, heat = 1000.0, start = 1200.0, t = 20.0;
   Material grey = constant_solid(density, heat, 5.0);
-  grey.emissivity = constant(0.8);
+  grey.emissivity.table = constant(0.8);
   Case c = inert_case(grey, radius);
   c.models.radiation = RadiationModel{100.0, 100.0, 1.0, 1.0, 1.0};
   ThermalScene scene(c);
@@ -142,7 +142,7 @@ std::vector<Check> closed_granule() {
 // Spheres in a box whose walls have their temperature: nothing may happen.
 Check isothermal_box() {
   Case c = inert_case(constant_solid(3000.0, 1000.0, 5.0), 1e-3);
-  c.materials.list[0].emissivity = constant(0.7);
+  c.materials.list[0].emissivity.table = constant(0.7);
   c.models.conduction = ConductionModel{true, true, 0.5, 0.6};
   c.models.radiation = RadiationModel{10.0, 10.0, 1.0, 1.0, 1273.15};
   ThermalScene scene(c);

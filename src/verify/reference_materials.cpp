@@ -46,7 +46,7 @@ Material plain_material(const char* name, double density) {
   material.density = density;
   material.young_soft = 5e6;
   material.poisson_soft = 0.3;
-  material.emissivity = constant(0.9);
+  material.emissivity.table = constant(0.9);
   material.accommodation = 0.9;  // (A), 0.5-1
   return material;
 }
@@ -60,7 +60,8 @@ Material reference_alumina() {
   material.heat = corundum;
   // Munro, J. Am. Ceram. Soc. 80 (1997) 1919 for 99.5 % (P), times 0.6 for 92 % (A).
   material.conductivity = AluminaConductivity{0.6, 5.85, 15360.0, 0.002, 516.0};
-  material.emissivity = celsius_table({300, 600, 900, 1100}, {0.75, 0.65, 0.52, 0.45});  // (L)
+  material.emissivity.table =
+      celsius_table({300, 600, 900, 1100}, {0.75, 0.65, 0.52, 0.45});  // (L)
   return material;
 }
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "pmr/base/constants.hpp"
-#include "pmr/base/csr.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/hash.hpp"
 #include "pmr/base/parallel.hpp"
@@ -58,16 +57,6 @@ TEST_CASE("Random numbers depend on their key alone and fill [0, 1) evenly") {
   // Mean 1/2 +- 4/sqrt(12 n); mean square 1/3 +- 4 sqrt(4/45/n): four standard errors.
   CHECK(std::abs(sum / n - 0.5) < 4.0 / std::sqrt(12.0 * n));
   CHECK(std::abs(square / n - 1.0 / 3.0) < 4.0 * std::sqrt(4.0 / 45.0 / n));
-}
-
-TEST_CASE("Assembly sorts, adds equal places and keeps empty rows") {
-  const Csr m = assemble(4, {{2, 1, 1.0}, {0, 3, 2.0}, {2, 1, 0.5}, {2, 0, 4.0}});
-  REQUIRE(m.rows() == 4);
-  REQUIRE(m.entries() == 3);
-  CHECK(m.columns(0)[0] == 3);
-  CHECK(m.columns(1).empty());
-  CHECK(m.columns(2)[0] == 0);
-  CHECK(m.values(2)[1] == 1.5);
 }
 
 TEST_CASE("A table is linear between its points and constant beyond") {

@@ -38,7 +38,7 @@ TEST_CASE("the shipped figures arrive in SI") {
   const Material& alumina = material(made, "Al2O3");
   // NIST: f and h in kJ/mol
   CHECK(std::get<Shomate>(alumina.heat).f == Approx(-1717.930).epsilon(1e-12));
-  CHECK(alumina.emissivity(873.15) == Approx(0.65));
+  CHECK(alumina.emissivity(873.15, 0.0) == Approx(0.65));
   CHECK(std::get<AluminaConductivity>(alumina.conductivity).factor == 0.6);
   // 0.14 of 0.18 W/m/K at 600 degC and 1000 Pa, from which gas_share and half_pressure were fitted
   const auto& board = std::get<TabulatedConductivity>(material(made, "fibre-board").conductivity);

@@ -22,14 +22,4 @@ struct Csr {
   }
 };
 
-// One entry of a matrix under assembly.
-struct Triplet {
-  std::uint32_t row;
-  std::uint32_t column;
-  double value;
-};
-
-// Sorts by (row, column), adds up equal places (in a fixed order) and compresses.
-Csr assemble(std::size_t rows, std::vector<Triplet> triplets);
-
 }  // namespace pmr

@@ -178,6 +178,13 @@ struct Thermocouple {
   Vec3 position;  // [m]
   double radius;  // [m] averages over particles whose centres are within
 };
+// Hot and cold plate over a bed at rest, all other walls insulated: effective conductivity.
+struct ConductivityInstrument {
+  std::uint32_t hot, cold;           // index into Walls::surfaces; the hot one above
+  double difference;                 // [K] between them
+  std::vector<double> temperatures;  // [K] of their mean
+  std::vector<double> pressures;     // [Pa] of the gas in the bed
+};
 struct OutputCase {
   double snapshot_interval;            // [s] while moving
   std::vector<double> snapshot_times;  // [s] in the react phase
@@ -203,6 +210,7 @@ struct Case {
   Models models;
   std::optional<Decomposition> decomposition;
   std::vector<Thermocouple> thermocouples;
+  std::optional<ConductivityInstrument> conductivity;
   OutputCase output;
   std::vector<Provenance> provenance;  // of dimensions and settings: key, value, paper or assumed
   std::string text;                    // the TOML as read, with --set applied, for the record

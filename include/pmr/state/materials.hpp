@@ -1,5 +1,6 @@
 // Materials as data: every figure with its source and a mark of confidence.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -79,6 +80,16 @@ struct Redox {
   double density_delta;  // [1] delta at which the material's density is stated
 };
 
+// eps(T, delta) = table(T) + per_delta * delta, kept within (0, 1].
+struct Emissivity {
+  Table table;             // [K] -> [1] at delta = 0
+  double per_delta = 0.0;  // [1]
+
+  double operator()(double T, double delta) const {
+    return std::clamp(table(T) + per_delta * delta, 1e-3, 1.0);
+  }
+};
+
 struct Material {
   std::string name;
   double density;                   // [kg/m3] of a particle, at Redox::density_delta
@@ -86,7 +97,7 @@ struct Material {
   double young_real, poisson_real;  // [Pa], [1] of the real solid, for contact conduction
   HeatLaw heat;
   Conductivity conductivity;
-  Table emissivity;      // [K] -> [1]
+  Emissivity emissivity;
   double accommodation;  // [1] thermal accommodation of gas on its surface
   std::optional<Redox> redox;
   std::vector<Provenance> provenance;

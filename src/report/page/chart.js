@@ -1,4 +1,4 @@
-// Line charts over time. D3 version 3.
+// Line charts over time, or over what spec.x says. D3 version 3.
 var pmr = pmr || {};
 
 pmr.data = JSON.parse(document.getElementById("pmr-data").textContent);
@@ -85,9 +85,12 @@ pmr.y_scale = function (all, axis, height) {
   return d3.scale.linear().domain([low, high + 0.04 * span]).range([height, 0]).nice(5);
 };
 
+pmr.is_log_time = function (spec) { return !spec.x && pmr.time.scale === "log"; };
+
 pmr.x_scale = function (all, spec, width) {
   var xs = d3.merge(all).filter(function (p) { return p.y !== null; }).map(function (p) { return p.x; });
-  if (pmr.time.scale === "log") {
+  if (spec.x) return d3.scale.linear().domain(d3.extent(xs)).range([0, width]);
+  if (pmr.is_log_time(spec)) {
     var positive = xs.filter(function (x) { return x > 0; });
     return d3.scale.log().domain([Math.max(d3.min(positive), d3.max(positive) * 1e-5, 1e-2), d3.max(positive)]).range([0, width]);
   }
@@ -95,7 +98,7 @@ pmr.x_scale = function (all, spec, width) {
 };
 
 pmr.draw_axes = function (svg, x, y, size, spec) {
-  var log_y = spec.y.scale === "log", log_x = pmr.time.scale === "log";
+  var log_y = spec.y.scale === "log", log_x = pmr.is_log_time(spec);
   var y_ticks = log_y ? pmr.log_ticks(y.domain(), 6) : y.ticks(5);
   var x_ticks = log_x ? pmr.log_ticks(x.domain(), 7) : x.ticks(Math.max(3, Math.round(size.width / 90)));
   var grid = svg.append("g").attr("class", "grid"), axis = svg.append("g").attr("class", "axis");
@@ -114,13 +117,13 @@ pmr.draw_axes = function (svg, x, y, size, spec) {
   svg.append("text").attr({ x: -size.left + 2, y: -9, "class": "strong" })
     .text(pmr.axis_title(spec.y.label, spec.y.unit));
   svg.append("text").attr({ x: size.width, y: size.height + 33, "text-anchor": "end", "class": "strong" })
-    .text("time since release [s]");
+    .text(spec.x ? pmr.axis_title(spec.x.label, spec.x.unit) : "time since release [s]");
 };
 
 pmr.draw_lines = function (svg, spec, all, x, y) {
   function drawable(p) {
     return p.y !== null && (spec.y.scale !== "log" || p.y >= y.domain()[0]) &&
-      (pmr.time.scale !== "log" || p.x >= x.domain()[0]);
+      (!pmr.is_log_time(spec) || p.x >= x.domain()[0]);
   }
   var line = d3.svg.line().defined(drawable).x(function (p) { return x(p.x); }).y(function (p) { return y(p.y); });
   var area = d3.svg.area().defined(drawable).x(function (p) { return x(p.x); })
@@ -173,12 +176,13 @@ pmr.follow = function (chart) {
       return '<span style="color:' + l.colour + '">●</span> ' + pmr.escape(l.label) + ": <b>" + pmr.number(p.y) + "</b>" + band;
     });
     var unit = chart.spec.y.unit === "1" ? "" : " <span>[" + chart.spec.y.unit + "]</span>";
-    return "t = " + pmr.number(value) + " s" + unit + "<br>" + rows.join("<br>");
+    var at = chart.spec.x ? pmr.with_unit(value, chart.spec.x.unit) : "t = " + pmr.number(value) + " s";
+    return at + unit + "<br>" + rows.join("<br>");
   }
   chart.svg.append("rect").attr({ width: chart.size.width, height: chart.size.height, fill: "transparent" })
     .on("mousemove", function () {
       var mouse = d3.mouse(this), value = chart.x.invert(mouse[0]);
-      pmr.charts.forEach(function (c) { c.move(value); });
+      pmr.charts.forEach(function (c) { if (!c.spec.x === !chart.spec.x) c.move(value); });
       var left = mouse[0] < chart.size.width / 2;
       tip.html(readout(value)).style({ display: null, top: "28px",
         left: left ? chart.size.left + mouse[0] + 14 + "px" : null,
@@ -204,7 +208,8 @@ pmr.draw_line_chart = function (holder, spec, width) {
   size.height = 230;
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (size.height + size.top + size.bottom))
     .append("g").attr("transform", "translate(" + size.left + "," + size.top + ")");
-  var all = pmr.since_release(spec.lines.map(function (l) { return pmr.points(l, spec.y); }));
+  var all = spec.lines.map(function (l) { return pmr.points(l, spec.y); });
+  if (!spec.x) all = pmr.since_release(all);
   var x = pmr.x_scale(all, spec, size.width), y = pmr.y_scale(all, spec.y, size.height);
   pmr.draw_axes(svg, x, y, size, spec);
   pmr.draw_events(svg, spec, x, size);
@@ -216,7 +221,7 @@ pmr.draw_line_chart = function (holder, spec, width) {
 
 // One row a point; lines that share their x share a row.
 pmr.line_rows = function (spec) {
-  var unit = " [" + spec.y.unit + "]", rows = [["line", "time [s]", "value" + unit, "10 %" + unit, "90 %" + unit]];
+  var unit = " [" + spec.y.unit + "]", rows = [["line", spec.x ? pmr.axis_title(spec.x.label, spec.x.unit) : "time [s]", "value" + unit, "10 %" + unit, "90 %" + unit]];
   spec.lines.forEach(function (l) {
     pmr.points(l, spec.y).forEach(function (p) { rows.push([l.label, p.x, p.y, p.low, p.high]); });
   });

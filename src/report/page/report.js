@@ -8,6 +8,7 @@ pmr.escape = function (text) {
 
 pmr.kinds = {
   course: { draw: pmr.draw_line_chart, rows: pmr.line_rows },
+  curves: { draw: pmr.draw_line_chart, rows: pmr.line_rows },
   azimuth: { draw: pmr.draw_azimuth, rows: pmr.azimuth_rows },
   layers: { draw: pmr.draw_layers, rows: pmr.layer_rows },
   unrolled: { draw: pmr.draw_unrolled, rows: pmr.unrolled_rows },
