@@ -125,6 +125,6 @@ int main(int count, char** arguments) {
             << plain_seconds / near_seconds << ','
             << static_cast<double>(differ) / static_cast<double>(plain.size()) << ',' << rays << ','
             << traced.exchange.rays << ',' << factor_seconds << ','
-            << traced.exchange.factor.column.size() << ',' << traced.report.row_sum_error << ','
+            << traced.exchange.factor.column.size() << ',' << traced.exchange.row_sum_error << ','
             << usage.ru_maxrss / 1024 << '\n';
 }

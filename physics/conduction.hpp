@@ -23,4 +23,9 @@ double contact_radius(double reduced_radius, double overlap, double softening);
 // Lond. A 355 (1977) 313). Sphere on wall alike.
 double contact_conductance(double conductivity_1, double conductivity_2, double contact_radius);
 
+// LIGGGHTS' heat/gran/conduction, 4 k1 k2/(k1 + k2) sqrt(A) with A the circle in which the spheres
+// cut each other, pi 2 R* overlap: so many times the law above with Hertz' radius [1]. For
+// comparison only.
+inline constexpr double liggghts_contact_factor = 2.5066282746310002;  // sqrt(2 pi)
+
 }  // namespace pmr::physics

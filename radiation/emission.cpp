@@ -14,20 +14,15 @@ double area(const Scene& scene, std::uint32_t primitive) {
   return 4.0 * pi * r * r;
 }
 
-std::uint32_t node_of(const Scene& scene, std::uint32_t primitive) {
-  return scene.is_sphere(primitive) ? scene.spheres()[primitive].node
-                                    : scene.triangle(primitive).node;
-}
-
 }  // namespace
 
 Emitters::Emitters(const Scene& scene, std::uint32_t nodes) : start_(nodes + 1, 0) {
   const auto count = static_cast<std::uint32_t>(scene.primitives());
-  for (std::uint32_t p = 0; p < count; ++p) ++start_[node_of(scene, p) + 1];
+  for (std::uint32_t p = 0; p < count; ++p) ++start_[scene.node_of(p) + 1];
   for (std::uint32_t node = 0; node < nodes; ++node) start_[node + 1] += start_[node];
   std::vector<std::uint64_t> next(start_.begin(), start_.end() - 1);
   primitive_.resize(count);
-  for (std::uint32_t p = 0; p < count; ++p) primitive_[next[node_of(scene, p)]++] = p;
+  for (std::uint32_t p = 0; p < count; ++p) primitive_[next[scene.node_of(p)]++] = p;
   area_until_.resize(count);
   for (std::uint32_t node = 0; node < nodes; ++node) {
     double sum = 0.0;  // [m2]

@@ -75,10 +75,12 @@ std::uint32_t fly(const Setup& setup, Departure departure, std::uint32_t node, s
   Random random(input.seed, Purpose::rays, (static_cast<std::uint64_t>(node) << 32) | ray,
                 input.step);
   for (int flight = 0; flight < longest_flight; ++flight) {
-    const Hit hit = setup.tracer.follow(departure);
-    if (hit.is_empty()) return input.nodes - 1;
-    const double emissivity = input.emissivity[hit.node];
-    if (emissivity >= 1.0 || random.uniform() < emissivity) return hit.node;
+    const Landing landing = setup.tracer.land(departure);
+    if (landing.is_empty()) return input.nodes - 1;
+    const std::uint32_t met = setup.tracer.scene().node_of(landing.primitive);
+    const double emissivity = input.emissivity[met];
+    if (emissivity >= 1.0 || random.uniform() < emissivity) return met;
+    const Hit hit = setup.tracer.hit_of(landing);
     const double u = random.uniform();
     const double v = random.uniform();
     departure = {hit.primitive, hit.point, hit.normal, diffuse(hit.normal, u, v)};
@@ -141,7 +143,7 @@ TracedExchange trace(const ExchangeInput& input) {
   std::vector<double> emissions(input.nodes, 0.0);  // [m2] of the nodes that emit
   for (std::size_t k = 0; k < units.size(); ++k) {
     add_counts(counts[units[k].node], std::move(results[k].hits));
-    traced.report.unfinished += results[k].unfinished;
+    traced.exchange.unfinished += static_cast<double>(results[k].unfinished);
     traced.exchange.rays += static_cast<double>(units[k].last - units[k].first);
     emissions[units[k].node] = emission(input, units[k].node);
   }
@@ -149,8 +151,8 @@ TracedExchange trace(const ExchangeInput& input) {
   traced.exchange.factor = std::move(symmetric.factor);
   traced.exchange.emissivity = input.emissivity;
   traced.exchange.relative_error = symmetric.relative_error;
-  traced.report.self = std::move(symmetric.self);
-  traced.report.row_sum_error = symmetric.row_sum_error;
+  traced.self = std::move(symmetric.self);
+  traced.exchange.row_sum_error = symmetric.row_sum_error;
   return traced;
 }
 
@@ -166,8 +168,8 @@ std::vector<std::uint64_t> view_counts(const Tracer& tracer, std::uint32_t primi
         Tally landed(rays_per_unit);
         for (std::uint64_t r = b * rays_per_unit; r < std::min(rays, (b + 1) * rays_per_unit);
              ++r) {
-          const Hit hit = tracer.follow(emit(tracer.scene(), primitive, quasi.point(r)));
-          landed.add(hit.is_empty() ? nodes - 1 : hit.node);
+          const Landing landing = tracer.land(emit(tracer.scene(), primitive, quasi.point(r)));
+          landed.add(landing.is_empty() ? nodes - 1 : tracer.scene().node_of(landing.primitive));
         }
         rows[b] = landed.row();
       },

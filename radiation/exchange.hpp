@@ -31,16 +31,9 @@ struct ExchangeInput {
   std::vector<char> reservoir = {};
 };
 
-// What the exchange matrix leaves out.
-struct TraceReport {
-  std::vector<double> self;      // [m2] G_ii of each node
-  double row_sum_error = 0.0;    // [1] largest |sum_j G_ij / (eps_i A_i) - 1|, G_ii included
-  std::uint64_t unfinished = 0;  // rays given back to their emitter after too many reflections
-};
-
 struct TracedExchange {
-  Exchange exchange;  // traced_at is the caller's to set
-  TraceReport report;
+  Exchange exchange;         // traced_at is the caller's to set
+  std::vector<double> self;  // [m2] G_ii of each node, which the matrix leaves out
 };
 
 TracedExchange trace(const ExchangeInput& input);

@@ -42,9 +42,9 @@ double distance_to(const Triangle& triangle, const Vec3& point) {
 }
 
 std::optional<double> crossing(const Triangle& triangle, const Vec3& a, const Vec3& b) {
-  const Vec3 n = normal_of(triangle);
-  const double before = (a - triangle.corner[0]).dot(n);  // [m]
-  const double after = (b - triangle.corner[0]).dot(n);   // [m]
+  const auto& [p, q, r] = triangle.corner;
+  const Vec3 n = (q - p).cross(r - p);  // of any length: only ratios count
+  const double before = (a - p).dot(n), after = (b - p).dot(n);
   if (before * after > 0.0 || before == after) return std::nullopt;
   const double fraction = before / (before - after);
   // A little wider than the triangle: segments through a shared edge must not slip between two.

@@ -1,8 +1,11 @@
 // Points and directions of diffuse emission.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
 #include "pmr/base/vec3.hpp"
 
@@ -21,18 +24,42 @@ class QuasiPoints {
   std::array<double, 5> shift_;
 };
 
-// Cosine and sine of v turns, v in [0, 1], within 1e-8.
+// Cosine and sine of v turns, v in [0, 1], within 1e-8. Quarters of a turn are taken off, the rest,
+// within an eighth, goes through the Taylor polynomials: twice as fast as the library's sine and
+// cosine, which cost a third of a flight.
 struct Turn {
   double cosine, sine;  // [1]
 };
-Turn turn(double v);
+inline Turn turn(double v) {
+  const double quarters = std::nearbyint(4.0 * v);
+  const double x = 2.0 * pi * (v - 0.25 * quarters);  // [rad] |x| <= pi/4
+  const double y = x * x;
+  const double s =
+      x * (1.0 + y * (-1.0 / 6 + y * (1.0 / 120 + y * (-1.0 / 5040 + y * (1.0 / 362880)))));
+  const double c =
+      1.0 + y * (-1.0 / 2 + y * (1.0 / 24 + y * (-1.0 / 720 + y * (1.0 / 40320 - y / 3628800))));
+  const auto quadrant = static_cast<int>(quarters) & 3;
+  const bool is_odd = (quadrant & 1) != 0;
+  const double cosine = is_odd ? s : c, sine = is_odd ? c : s;
+  return {quadrant == 1 || quadrant == 2 ? -cosine : cosine, quadrant >= 2 ? -sine : sine};
+}
 
 // Uniform over the unit sphere, from two numbers in [0, 1).
-Vec3 on_sphere(double u, double v);
+inline Vec3 on_sphere(double u, double v) {
+  const double z = 1.0 - 2.0 * u;
+  const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const Turn at = turn(v);
+  return {r * at.cosine, r * at.sine, z};
+}
 
 // Diffuse (Lambert) about the unit normal, density cos(theta)/pi: from the foot of the unit sphere
 // that stands on the surface to a point uniform over it.
-Vec3 diffuse(const Vec3& normal, double u, double v);
+inline Vec3 diffuse(const Vec3& normal, double u, double v) {
+  constexpr double grazing = 1e-12;  // [1] (2 cos theta)^2: below, a direction has no digits left
+  const Vec3 d = normal + on_sphere(u, v);
+  const double square = d.squaredNorm();
+  return square > grazing ? Vec3((1.0 / std::sqrt(square)) * d) : normal;
+}
 
 // Barycentric weights of a point uniform over a triangle.
 Vec3 in_triangle(double u, double v);

@@ -161,30 +161,4 @@ Hit Scene::hit_at(std::uint32_t primitive, double distance, const Ray& ray) cons
   return hit;
 }
 
-// Embree 3.13 answers point queries for triangles, not for sphere points.
-void Scene::find_triangles(const Vec3& point, double radius,
-                           std::vector<std::uint32_t>& found) const {
-  struct Search {
-    const Scene& scene;
-    const Vec3& point;
-    double radius;
-    std::vector<std::uint32_t>& found;
-  } search{*this, point, radius, found};
-  const Vec3 at = (point - middle_) / unit_;
-  RTCPointQuery query{};
-  query.x = static_cast<float>(at.x());
-  query.y = static_cast<float>(at.y());
-  query.z = static_cast<float>(at.z());
-  query.radius = static_cast<float>(radius / unit_ + 1e-4);  // room for single precision
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto visit = [](RTCPointQueryFunctionArguments* args) {
-    const Search& s = *static_cast<Search*>(args->userPtr);
-    if (distance_to(s.scene.triangles_[args->primID], s.point) < s.radius)
-      s.found.push_back(static_cast<std::uint32_t>(s.scene.spheres_.size()) + args->primID);
-    return false;
-  };
-  rtcPointQuery(tree_->scene, &query, &context, visit, &search);
-}
-
 }  // namespace pmr::radiation

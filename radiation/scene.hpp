@@ -59,6 +59,9 @@ class Scene {
   const Triangle& triangle(std::uint32_t primitive) const {
     return triangles_[primitive - spheres_.size()];
   }
+  std::uint32_t node_of(std::uint32_t primitive) const {
+    return is_sphere(primitive) ? spheres_[primitive].node : triangle(primitive).node;
+  }
   double unit() const { return unit_; }  // [m] mean diameter (extent of the scene if no spheres)
 
   // Nearest hit along the ray; the primitive `excluded` is passed through.
@@ -66,9 +69,6 @@ class Scene {
 
   // The hit of a primitive known to be met at a distance [m] along the ray.
   Hit hit_at(std::uint32_t primitive, double distance, const Ray& ray) const;
-
-  // Adds the primitives of triangles that come within `radius` [m] of the point.
-  void find_triangles(const Vec3& point, double radius, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Tree;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "pmr/base/parallel.hpp"
 
 namespace pmr::radiation {
 namespace {
 
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr int most_sweeps = 60;        // [1] about 30 do for a closed bed
 constexpr double good_enough = 1e-10;  // [1] of row sums
 
@@ -24,53 +26,60 @@ std::vector<CountRow> transpose(const std::vector<CountRow>& rows) {
   return result;
 }
 
-struct Entry {
-  std::uint32_t column;
-  double value;        // [m2]
-  std::uint64_t rays;  // [1] counted for it, both ways
-};
-
-// Merges the two estimates of row i. Surroundings and reservoirs do not emit: their columns are
-// one-sided.
-std::vector<Entry> merge(const Counted& counted, const CountRow& out, const CountRow& in,
-                         std::uint32_t i) {
-  const auto surroundings = static_cast<std::uint32_t>(counted.rows.size() - 1);
-  const auto power = [&](std::uint32_t node) {  // [m2] per ray
-    return counted.emission[node] / static_cast<double>(counted.rays[node]);
-  };
-  std::vector<Entry> row;
-  row.reserve(out.size() + in.size());
+// visit(j, sent, received) for each node that i has sent rays to or received rays from, ascending.
+template <class Visit>
+void for_each_partner(const CountRow& out, const CountRow& in, const Visit& visit) {
   std::size_t a = 0, b = 0;
   while (a < out.size() || b < in.size()) {
-    const std::uint32_t j = std::min(a < out.size() ? out[a].node : surroundings,
-                                     b < in.size() ? in[b].node : surroundings);
+    const std::uint32_t j =
+        std::min(a < out.size() ? out[a].node : none, b < in.size() ? in[b].node : none);
     const std::uint64_t sent = a < out.size() && out[a].node == j ? out[a++].rays : 0;
     const std::uint64_t received = b < in.size() && in[b].node == j ? in[b++].rays : 0;
-    const double there = sent > 0 ? power(i) * static_cast<double>(sent) : 0.0;
-    const double back = received > 0 ? power(j) * static_cast<double>(received) : 0.0;
-    const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
-    row.push_back({j, one_sided ? there + back : 0.5 * (there + back), sent + received});
+    visit(j, sent, received);
   }
-  return row;
 }
 
-using EntryRows = std::vector<std::vector<Entry>>;
-
-// Diagonal included; empties the rows.
-Csr compress(EntryRows& rows) {
+// The mean of the two estimates of each factor, diagonal included. Surroundings and reservoirs do
+// not emit: their columns are one-sided. `error`: mean over rows of the Poisson error of the factor
+// with most rays, diagonal and surroundings left out.
+Csr merge(const Counted& counted, double& error) {
+  const std::vector<CountRow> received = transpose(counted.rows);
+  const std::size_t nodes = counted.rows.size();
+  std::vector<std::uint64_t> length(nodes, 0), most(nodes, 0);
+  parallel_for(nodes, [&](std::size_t i) {
+    for_each_partner(counted.rows[i], received[i],
+                     [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
+                       ++length[i];
+                       if (j != i && j + 1 != nodes) most[i] = std::max(most[i], sent + back);
+                     });
+  });
   Csr csr;
-  csr.start.reserve(rows.size() + 1);
-  for (const auto& row : rows) csr.start.push_back(csr.start.back() + row.size());
+  csr.start.reserve(nodes + 1);
+  for (const std::uint64_t entries : length) csr.start.push_back(csr.start.back() + entries);
   csr.column.resize(csr.start.back());
   csr.value.resize(csr.start.back());
-  parallel_for(rows.size(), [&](std::size_t i) {
+  const auto power = [&](std::size_t node, std::uint64_t rays) {  // [m2]
+    return rays == 0 ? 0.0
+                     : counted.emission[node] / static_cast<double>(counted.rays[node]) *
+                           static_cast<double>(rays);
+  };
+  parallel_for(nodes, [&](std::size_t i) {
     std::uint64_t k = csr.start[i];
-    for (const Entry& e : rows[i]) {
-      csr.column[k] = e.column;
-      csr.value[k++] = e.value;
-    }
-    rows[i] = {};
+    for_each_partner(counted.rows[i], received[i],
+                     [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
+                       const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
+                       const double both = power(i, sent) + power(j, back);
+                       csr.column[k] = j;
+                       csr.value[k++] = one_sided ? both : 0.5 * both;
+                     });
   });
+  double sum = 0.0, rows = 0.0;
+  for (std::size_t i = 0; i + 1 < nodes; ++i)
+    if (most[i] > 0) {
+      sum += 1.0 / std::sqrt(static_cast<double>(most[i]));
+      rows += 1.0;
+    }
+  error = rows > 0.0 ? sum / rows : 0.0;
   return csr;
 }
 
@@ -89,20 +98,6 @@ std::vector<double> scales(const Csr& g, const std::vector<double>& emission, do
     if (sweep == most_sweeps || worst <= good_enough) return scale;
     for (std::size_t i = 0; i < g.rows(); ++i) scale[i] /= std::sqrt(ratio[i]);
   }
-}
-
-// Mean over rows of the Poisson error of the factor with most rays, surroundings left out.
-double error_of(const EntryRows& rows) {
-  double sum = 0.0, counted = 0.0;
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    std::uint64_t most = 0;
-    for (const Entry& e : rows[i])
-      if (e.column != i && e.column + 1 != rows.size()) most = std::max(most, e.rays);
-    if (most == 0) continue;
-    sum += 1.0 / std::sqrt(static_cast<double>(most));
-    counted += 1.0;
-  }
-  return counted > 0.0 ? sum / counted : 0.0;
 }
 
 // Scales in place and takes the diagonal out.
@@ -172,16 +167,8 @@ void add_counts(CountRow& sum, CountRow&& row) {
 }
 
 Symmetric symmetrise(const Counted& counted) {
-  EntryRows rows(counted.rows.size());
-  {
-    const std::vector<CountRow> received = transpose(counted.rows);
-    parallel_for(rows.size(), [&](std::size_t i) {
-      rows[i] = merge(counted, counted.rows[i], received[i], static_cast<std::uint32_t>(i));
-    });
-  }
   Symmetric result;
-  result.relative_error = error_of(rows);
-  result.factor = compress(rows);
+  result.factor = merge(counted, result.relative_error);
   const auto scale = scales(result.factor, counted.emission, result.row_sum_error);
   result.self = finish(result.factor, scale);
   return result;

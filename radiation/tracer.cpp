@@ -9,45 +9,43 @@ namespace {
 // single precision over a hundred diameters (4e-6 radii), below every error that is looked at.
 constexpr double lift = 1e-4;
 
+Landing landing_of(const Hit& hit, const Ray& ray) { return {hit.primitive, hit.distance, ray}; }
+
 }  // namespace
 
 Tracer::Tracer(std::span<const Sphere> spheres, std::span<const Triangle> triangles)
-    : scene_(spheres, triangles), grid_(scene_.spheres()), near_(scene_, grid_) {}
+    : scene_(spheres, triangles), cells_(scene_) {}
 
-// The sphere whose surface is farthest above the point; `none` if none is.
-std::uint32_t Tracer::covering(const Vec3& point) const {
-  std::vector<std::uint32_t> around;
-  grid_.find(scene_.spheres(), point, 0.0, around);
-  std::uint32_t covers = none;
-  double deepest = 0.0;  // [m]
-  for (const std::uint32_t p : around) {
-    const Sphere& sphere = scene_.spheres()[p];
-    const double depth = sphere.radius - (point - sphere.centre).norm();
-    if (depth <= deepest) continue;
-    deepest = depth;
-    covers = p;
-  }
-  return covers;
+Landing Tracer::land(const Departure& departure) const {
+  return scene_.is_sphere(departure.primitive) ? land_from_sphere(departure)
+                                               : land_from_wall(departure);
 }
 
-Hit Tracer::follow(const Departure& departure) const {
-  const Vec3& direction = departure.direction;
-  if (scene_.is_sphere(departure.primitive)) {
-    const Sphere& sphere = scene_.spheres()[departure.primitive];
-    const Vec3 start = sphere.centre + (1.0 + lift) * sphere.radius * departure.normal;
-    if (const auto met = near_.first(departure.primitive, start, direction)) {
-      const bool is_cut =
-          met->distance == 0.0;  // then the wall's side that faces the centre counts
-      return scene_.hit_at(met->primitive, met->distance,
-                           {start, is_cut ? departure.normal : direction});
-    }
-    return scene_.nearest({start, direction}, departure.primitive);
-  }
+Landing Tracer::land_from_sphere(const Departure& departure) const {
+  const Sphere& sphere = scene_.spheres()[departure.primitive];
+  const Vec3 start = sphere.centre + (1.0 + lift) * sphere.radius * departure.normal;
+  const Ray ray{start, departure.direction};
+  const std::uint32_t wall = cells_.wall_within(departure.primitive, start);
+  if (wall != none) return {wall, 0.0, {start, departure.normal}};  // its side towards the centre
+  if (const auto met = cells_.first(start, departure.direction))
+    return {met->primitive, met->distance, ray};
+  return landing_of(scene_.nearest(ray, departure.primitive), ray);
+}
+
+Landing Tracer::land_from_wall(const Departure& departure) const {
   const Vec3 start = inside(scene_.triangle(departure.primitive), departure.point) +
                      lift * scene_.unit() * departure.normal;
-  const std::uint32_t cover = covering(start);
-  if (cover != none) return scene_.hit_at(cover, 0.0, {start, direction});
-  return scene_.nearest({start, direction}, departure.primitive);
+  const Ray ray{start, departure.direction};
+  const std::uint32_t cover = cells_.covering(start);
+  if (cover != none) return {cover, 0.0, ray};
+  if (const auto met = cells_.first(start, departure.direction, departure.primitive))
+    return {met->primitive, met->distance, ray};
+  return landing_of(scene_.nearest(ray, departure.primitive), ray);
+}
+
+Hit Tracer::hit_of(const Landing& landing) const {
+  return landing.is_empty() ? Hit{}
+                            : scene_.hit_at(landing.primitive, landing.distance, landing.ray);
 }
 
 }  // namespace pmr::radiation

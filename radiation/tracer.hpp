@@ -5,9 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "radiation/near_field.hpp"
+#include "radiation/cells.hpp"
 #include "radiation/scene.hpp"
-#include "radiation/sphere_grid.hpp"
 
 namespace pmr::radiation {
 
@@ -18,19 +17,30 @@ struct Departure {
   Vec3 direction;           // [1] unit, within the hemisphere of the normal
 };
 
+// Where a flight ends; its point and normal are worked out only for rays that are reflected.
+struct Landing {
+  std::uint32_t primitive = none;  // `none`: the ray left the scene
+  double distance = 0.0;           // [m] along the ray
+  Ray ray;
+
+  bool is_empty() const { return primitive == none; }
+};
+
 class Tracer {
  public:
   Tracer(std::span<const Sphere> spheres, std::span<const Triangle> triangles);
 
   const Scene& scene() const { return scene_; }
-  Hit follow(const Departure& departure) const;
+  Landing land(const Departure& departure) const;
+  Hit follow(const Departure& departure) const { return hit_of(land(departure)); }
+  Hit hit_of(const Landing& landing) const;
 
  private:
-  std::uint32_t covering(const Vec3& point) const;
+  Landing land_from_sphere(const Departure& departure) const;
+  Landing land_from_wall(const Departure& departure) const;
 
   Scene scene_;
-  SphereGrid grid_;
-  NearField near_;
+  Cells cells_;
 };
 
 }  // namespace pmr::radiation

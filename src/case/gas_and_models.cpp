@@ -53,6 +53,12 @@ ConductionModel read_conduction(Table& models, const Node& node) {
   conduction.gap_reach = table.value("gap_reach", {Dimension::none, {0, 2, true}}, 0.5);
   conduction.bed_solid_fraction =
       table.value("bed_solid_fraction", {Dimension::none, {0, 0.74, true}}, 0.6);
+  conduction.shells = table.count("shells", 1, 1);
+  if (table.has("contact_law") &&
+      table.choice("contact_law", {"batchelor-obrien", "liggghts"}) == "liggghts")
+    conduction.contact_law = ContactConduction::liggghts;
+  if (table.has("contact_area") && table.choice("contact_area", {"real", "soft"}) == "soft")
+    conduction.contact_area = ContactArea::of_soft_contact;
   return conduction;
 }
 
@@ -65,6 +71,8 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.04);
   radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.02);
   radiation.surroundings = table.value("surroundings", a_temperature);
+  if (table.has("law") && table.choice("law", {"traced", "environment"}) == "environment")
+    radiation.law = RadiationLaw::environment;
   return radiation;
 }
 

@@ -43,7 +43,7 @@ void find_gas(const System& system, double t, std::span<const double> y, Evaluat
 }
 
 void find_temperatures(const System& system, std::span<const double> y, Evaluation& at) {
-  parallel_for(system.nodes->particles, [&](std::size_t id) {
+  parallel_for(system.nodes->solids(), [&](std::size_t id) {
     if (system.stores[id] == 0) return;
     at.temperature[id] = chemistry::temperature(system.solid[id], y[id], delta_of(system, y, id),
                                                 at.temperature[id]);
@@ -113,7 +113,7 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
 }
 
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate) {
-  parallel_for(system.nodes->particles,
+  parallel_for(system.nodes->solids(),
                [&](std::size_t id) { rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0; });
   double oxygen = 0.0, oxygen_heat = 0.0;  // [mol/s], [W] given to the gas
   for (std::size_t k = 0; k < system.reactants.size(); ++k) {

@@ -14,7 +14,7 @@ enum class Kind { inert, redox, wall, surroundings, gas };
 
 Kind kind_of(const System& system, std::size_t node) {
   const Nodes& nodes = *system.nodes;
-  if (node < nodes.particles)
+  if (node < nodes.solids())
     return system.solid[node].material != nullptr && system.solid[node].material->redox
                ? Kind::redox
                : Kind::inert;
@@ -131,8 +131,13 @@ Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const do
   add_walls(system, at, rates);
   add_reaction(system, at, y, rates);
   if (system.closed) add_gas(at.gas, rates);
-  rates.heat_exchanged =
-      parallel_sum(system.nodes->particles, [&](std::size_t id) { return std::abs(at.heat[id]); });
+  const Nodes& nodes = *system.nodes;
+  rates.heat_exchanged = parallel_sum(nodes.particles, [&](std::size_t id) {
+    double heat = 0.0;
+    for (std::size_t node = id; node < nodes.solids(); node += nodes.particles)
+      heat += at.heat[node];
+    return std::abs(heat);
+  });
   return rates;
 }
 

@@ -4,12 +4,9 @@
 #include <cmath>
 
 #include "chemistry/gas.hpp"
-#include "coupling/tessellate.hpp"
 #include "coupling/thermal_state.hpp"
 #include "physics/conduction.hpp"
 #include "physics/gap.hpp"
-#include "physics/motion.hpp"
-#include "physics/neighbours.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/parallel.hpp"
 
@@ -35,6 +32,10 @@ double jump(const Context& context, const Side& side, double T) {
                                 side.material->accommodation);
 }
 
+double contact_factor(const ConductionModel& model) {
+  return model.contact_law == ContactConduction::liggghts ? physics::liggghts_contact_factor : 1.0;
+}
+
 // Conductances of a pair whose surfaces are `gap` [m] apart (negative: the soft overlap).
 HeatLink link(const Context& context, const Side& one, const Side& two, double gap) {
   const double k1 =
@@ -42,11 +43,17 @@ HeatLink link(const Context& context, const Side& one, const Side& two, double g
   const double k2 =
       physics::conductivity(two.material->conductivity, two.temperature, context.gas.pressure);
   const bool to_wall = two.radius == physics::plane_wall;
-  const double radius =
-      physics::contact_radius(physics::reduced_radius(one.radius, two.radius), -gap,
-                              physics::contact_softening(*one.material, *two.material));
+  const double reduced = physics::reduced_radius(one.radius, two.radius);
+  const double radius = physics::contact_radius(
+      reduced, -gap, physics::contact_softening(*one.material, *two.material));
   HeatLink result{0, 0, 0.0, 0.0};
-  if (context.model.contact) result.contact = physics::contact_conductance(k1, k2, radius);
+  if (context.model.contact)
+    result.contact =
+        contact_factor(context.model) *
+        physics::contact_conductance(k1, k2,
+                                     context.model.contact_area == ContactArea::of_real_solid
+                                         ? radius
+                                         : physics::contact_radius(reduced, -gap, 1.0));
   if (!context.model.gap || context.gas.pressure <= 0.0) return result;
   const double T = 0.5 * (one.temperature + two.temperature);  // [K] of the gas between
   const double soft = gap + one.radius + (to_wall ? 0.0 : two.radius);
@@ -62,84 +69,45 @@ Side side_of(const Case& c, const Particles& p, std::size_t i) {
   return {&c.materials.list[c.species[p.species[i]].material], p.radius[i], p.temperature[i]};
 }
 
-void link_particles(const Context& context, const State& state, std::vector<HeatLink>& links) {
-  const Particles& p = state.particles;
-  const auto pairs = physics::pairs_within(p, context.model.gap ? context.model.gap_reach : 0.0);
-  std::vector<HeatLink> found(pairs.size());
-  parallel_for(pairs.size(), [&](std::size_t k) {
-    const auto& pair = pairs[k];
-    found[k] =
-        link(context, side_of(context.kase, p, pair.i), side_of(context.kase, p, pair.j), pair.gap);
-    found[k].a = std::min(p.id[pair.i], p.id[pair.j]);
-    found[k].b = std::max(p.id[pair.i], p.id[pair.j]);
-  });
-  links.insert(links.end(), found.begin(), found.end());
-}
-
-// Where a particle comes near a wall.
-struct Foot {
-  std::size_t surface;
-  Vec3 world, body;  // [m] nearest point of the surface, in the frames of the world and its body
-  double distance;   // [m] from the particle's centre
-};
-
-std::vector<Foot> feet_of(const Case& c, const State& state, const Vec3& centre, double reach) {
-  std::vector<Foot> feet;
-  for (std::size_t s = 0; s < c.walls.surfaces.size(); ++s) {
-    const Surface& surface = c.walls.surfaces[s];
-    if (!surface.holds_particles || !is_present(surface, state.time)) continue;
-    const physics::Pose pose = physics::pose(c.walls.bodies[surface.body].motion, state.time);
-    const Vec3 x = pose.to_body(centre);
-    if (physics::is_surely_beyond(surface.shape, x, reach)) continue;
-    const Vec3 foot = physics::closest_point(surface.shape, x);
-    const double distance = (x - foot).norm();
-    if (distance < reach) feet.push_back({s, pose.to_world(foot), foot, distance});
-  }
-  std::stable_sort(feet.begin(), feet.end(),
-                   [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
-  return feet;
-}
-
-// A foot that lies on a nearer foot's surface is an edge the two share: one link, not two.
-bool is_shared_edge(const Case& c, const State& state, const std::vector<Foot>& nearer,
-                    const Foot& foot, double radius) {
-  return std::any_of(nearer.begin(), nearer.end(), [&](const Foot& other) {
-    const Surface& surface = c.walls.surfaces[other.surface];
-    const physics::Pose pose = physics::pose(c.walls.bodies[surface.body].motion, state.time);
-    const Vec3 x = pose.to_body(foot.world);
-    return (physics::closest_point(surface.shape, x) - x).norm() < 1e-6 * radius;
-  });
-}
-
-// Links of one particle to the walls that are near.
-void link_walls(const Context& context, const Nodes& nodes, const State& state,
-                const std::vector<double>& faces, std::size_t i, std::vector<HeatLink>& found) {
+// Links across the gaps of the bed, in their order.
+std::vector<HeatLink> link_gaps(const Context& context, const Nodes& nodes, const State& state,
+                                const Gaps& gaps) {
   const Case& c = context.kase;
   const Particles& p = state.particles;
-  const double reach = p.radius[i] * (1.0 + (context.model.gap ? context.model.gap_reach : 0.0));
-  std::vector<Foot> accepted;
-  for (const Foot& foot : feet_of(c, state, p.position[i], reach)) {
-    if (is_shared_edge(c, state, accepted, foot, p.radius[i])) continue;
-    accepted.push_back(foot);
-    const Surface& surface = c.walls.surfaces[foot.surface];
-    if (std::holds_alternative<Adiabatic>(surface.thermal)) continue;
-    const std::size_t patch = nodes.first_patch[foot.surface] + patch_at(surface, foot.body);
-    HeatLink result = link(context, side_of(c, p, i),
-                           {&c.materials.list[surface.material], physics::plane_wall, faces[patch]},
-                           foot.distance - p.radius[i]);
-    result.a = p.id[i];
-    result.b = nodes.patch(patch);
-    found.push_back(result);
-  }
+  const auto faces = patch_temperatures(c, nodes, state.walls);
+  const auto other_side = [&](const Gap& gap) {
+    if (gap.b < nodes.solids()) return side_of(c, p, gap.other);
+    const Surface& surface = c.walls.surfaces[nodes.patches[gap.other].surface];
+    return Side{&c.materials.list[surface.material], physics::plane_wall, faces[gap.other]};
+  };
+  std::vector<HeatLink> links(gaps.all.size());
+  parallel_for(links.size(), [&](std::size_t k) {
+    const Gap& gap = gaps.all[k];
+    links[k] = link(context, side_of(c, p, gap.particle), other_side(gap), gap.width);
+    links[k].a = gap.a;
+    links[k].b = gap.b;
+  });
+  return links;
 }
 
-void link_all_walls(const Context& context, const Nodes& nodes, const State& state,
-                    std::vector<HeatLink>& links) {
-  const auto faces = patch_temperatures(context.kase, nodes, state.walls);
-  std::vector<std::vector<HeatLink>> found(state.particles.size());
-  parallel_for(found.size(),
-               [&](std::size_t i) { link_walls(context, nodes, state, faces, i, found[i]); });
-  for (const auto& row : found) links.insert(links.end(), row.begin(), row.end());
+// From shell to shell: the outermost one's node lies on the surface, the others' in the middle of
+// their volumes; between two radii a sphere conducts 4 pi k r1 r2/(r1 - r2).
+void link_shells(const Context& context, const Nodes& nodes, const State& state,
+                 std::vector<HeatLink>& links) {
+  const Particles& p = state.particles;
+  const auto parts = static_cast<double>(nodes.shells);
+  const auto radius = [&](std::size_t k) {  // [1] of the particle's
+    return k == 0 ? 1.0 : std::cbrt((parts - static_cast<double>(k) - 0.5) / parts);
+  };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double k_solid = physics::conductivity(side_of(context.kase, p, i).material->conductivity,
+                                                 p.temperature[i], context.gas.pressure);
+    for (std::size_t k = 0; k + 1 < nodes.shells; ++k) {
+      const double outer = radius(k), inner = radius(k + 1);
+      links.push_back({nodes.shell(p.id[i], k), nodes.shell(p.id[i], k + 1),
+                       4.0 * pi * k_solid * p.radius[i] * outer * inner / (outer - inner), 0.0});
+    }
+  }
 }
 
 constexpr double bed_part = 0.99;  // [1] of the particles lie below the bed's top
@@ -175,18 +143,42 @@ void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector
 
 }  // namespace
 
-std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state) {
-  std::vector<HeatLink> links;
+std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
+                              const Gaps& gaps) {
+  std::vector<HeatLink> links, others;
   if (c.models.conduction) {
     const Context context{c, *c.models.conduction, atmosphere(c, state)};
-    link_particles(context, state, links);
-    link_all_walls(context, nodes, state, links);
+    links = link_gaps(context, nodes, state, gaps);
+    link_shells(context, nodes, state, others);
   }
-  link_gas(c, nodes, state, links);
-  std::sort(links.begin(), links.end(), [](const HeatLink& a, const HeatLink& b) {
-    return a.a != b.a ? a.a < b.a : a.b < b.b;
-  });
+  link_gas(c, nodes, state, others);
+  std::sort(others.begin(), others.end(), comes_before);
+  const auto middle = static_cast<std::ptrdiff_t>(links.size());
+  links.insert(links.end(), others.begin(), others.end());
+  std::inplace_merge(links.begin(), links.begin() + middle, links.end(), comes_before);
   return links;
+}
+
+// Both halves of the matrix of links that stand in order of (a, b), a < b: each row's lower part
+// comes in order of a, its upper part in order of b.
+Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes) {
+  Csr csr;
+  csr.start.assign(nodes + 1, 0);
+  for (const HeatLink& link : links) {
+    ++csr.start[link.a + 1];
+    ++csr.start[link.b + 1];
+  }
+  for (std::size_t row = 0; row < nodes; ++row) csr.start[row + 1] += csr.start[row];
+  csr.column.resize(2 * links.size());
+  csr.value.resize(2 * links.size());
+  std::vector<std::uint64_t> next(csr.start.begin(), csr.start.end() - 1);
+  const auto put = [&](Node row, Node column, const HeatLink& link) {
+    csr.column[next[row]] = column;
+    csr.value[next[row]++] = link.contact + link.gap;
+  };
+  for (const HeatLink& link : links) put(link.b, link.a, link);
+  for (const HeatLink& link : links) put(link.a, link.b, link);
+  return csr;
 }
 
 }  // namespace pmr::coupling

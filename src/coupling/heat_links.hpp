@@ -2,7 +2,9 @@
 #pragma once
 #include <vector>
 
+#include "coupling/gaps.hpp"
 #include "coupling/nodes.hpp"
+#include "pmr/base/csr.hpp"
 
 namespace pmr::coupling {
 
@@ -12,8 +14,20 @@ struct HeatLink {
   double gap;      // [W/K] through the gas lens, or a film of gas
 };
 
-// Links of the bed as it lies: particle to particle, particle to wall patch, bed top and walls to
+// By (a, b).
+inline bool comes_before(const HeatLink& one, const HeatLink& two) {
+  return one.a != two.a ? one.a < two.a : one.b < two.b;
+}
+
+// Both halves of the matrix of links that stand in order, contact and gap together [W/K].
+Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes);
+
+// Links of the bed as it lies, in order: across its gaps, from shell to shell, bed top and walls to
 // the gas. Gas properties at the mean temperature of each pair and the pressure of the moment.
-std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state);
+std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
+                              const Gaps& gaps);
+inline std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state) {
+  return conduct(c, nodes, state, find_gaps(c, nodes, state));
+}
 
 }  // namespace pmr::coupling

@@ -31,7 +31,7 @@ Linearisation::Linearisation(const System& system)
       conduction_sum_(row_sums(&system.conductance, system.nodes->count())),
       exchange_sum_(row_sums(system.exchange, system.nodes->count())),
       emission_slope_(system.nodes->count()),
-      capacity_(system.nodes->particles, 1.0),
+      capacity_(system.nodes->solids(), 1.0),
       cell_capacity_(system.nodes->cells, 1.0),
       reactions_(system.reactants.size()) {
   for (const WallProfile& wall : system.profiles) {

@@ -21,6 +21,7 @@ std::string patch_name(const Surface& surface, std::uint32_t local) {
 Nodes number_nodes(const Case& c, std::size_t particles) {
   Nodes nodes;
   nodes.particles = particles;
+  if (c.models.conduction) nodes.shells = c.models.conduction->shells;
   for (std::uint32_t s = 0; s < c.walls.surfaces.size(); ++s) {
     const Surface& surface = c.walls.surfaces[s];
     nodes.first_patch.push_back(static_cast<std::uint32_t>(nodes.patches.size()));

@@ -1,5 +1,6 @@
-// Numbers the nodes of the heat network, once per run: particles by id, then wall patches, then the
-// surroundings, then the gas of the chamber (or the open air before it is closed).
+// Numbers the nodes of the heat network, once per run: particles by id (or rather their outermost
+// shells, then the next ones, likewise, and so on), then wall patches, then the surroundings, then
+// the gas of the chamber (or the open air before it is closed).
 #pragma once
 #include <cstdint>
 #include <string>
@@ -23,15 +24,18 @@ struct Patch {
 
 struct Nodes {
   std::size_t particles = 0;  // inserted
+  std::size_t shells = 1;     // of each
   std::vector<Patch> patches;
   std::vector<std::uint32_t> first_patch;    // per surface
   std::vector<physics::WallColumn> columns;  // per surface; empty where the boundary has no profile
   std::size_t cells = 0;                     // of all patches
 
-  Node patch(std::size_t k) const { return static_cast<Node>(particles + k); }
-  Node surroundings() const { return static_cast<Node>(particles + patches.size()); }
+  std::size_t solids() const { return particles * shells; }
+  Node shell(ParticleId id, std::size_t k) const { return static_cast<Node>(id + k * particles); }
+  Node patch(std::size_t k) const { return static_cast<Node>(solids() + k); }
+  Node surroundings() const { return static_cast<Node>(solids() + patches.size()); }
   Node gas() const { return surroundings() + 1; }
-  std::size_t radiating() const { return particles + patches.size() + 1; }  // without the gas
+  std::size_t radiating() const { return solids() + patches.size() + 1; }  // without the gas
   std::size_t count() const { return radiating() + 1; }
 };
 

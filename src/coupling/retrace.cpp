@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/heat_links.hpp"
 #include "coupling/tessellate.hpp"
 #include "physics/motion.hpp"
+#include "physics/neighbours.hpp"
 #include "pmr/base/constants.hpp"
 #include "radiation/exchange.hpp"
 
@@ -52,6 +54,32 @@ std::vector<char> reservoirs(const Case& c, const Nodes& nodes) {
   return reservoir;
 }
 
+// How other codes have it: a particle radiates to the mean of its neighbours within one and a half
+// diameters, whatever stands between, and walls see nothing. Both ends' shares are averaged, so
+// that energy is kept, which those codes do not see to.
+Exchange to_neighbours(const Nodes& nodes, const State& state, std::vector<double> emissivity,
+                       const std::vector<double>& area) {
+  const Particles& p = state.particles;
+  const auto pairs = physics::pairs_within(p, 1.0);
+  std::vector<double> neighbours(p.size(), 0.0);
+  for (const auto& pair : pairs) {
+    neighbours[pair.i] += 1.0;
+    neighbours[pair.j] += 1.0;
+  }
+  const auto share = [&](std::size_t i) {  // [m2]
+    return emissivity[p.id[i]] * area[p.id[i]] / neighbours[i];
+  };
+  std::vector<HeatLink> links;
+  for (const auto& pair : pairs)
+    links.push_back({std::min(p.id[pair.i], p.id[pair.j]), std::max(p.id[pair.i], p.id[pair.j]),
+                     0.5 * (share(pair.i) + share(pair.j)), 0.0});
+  std::sort(links.begin(), links.end(), comes_before);
+  Exchange exchange;
+  exchange.factor = symmetric_rows(links, nodes.radiating());
+  exchange.emissivity = std::move(emissivity);
+  return exchange;
+}
+
 }  // namespace
 
 std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State& state) {
@@ -80,18 +108,19 @@ double emissivity_change(const Case& c, const Nodes& nodes, const State& state) 
 }
 
 Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays) {
-  const auto spheres = spheres_of(state.particles);
-  const auto triangles = walls_now(c, nodes, state.time);
-  radiation::ExchangeInput input{spheres,
-                                 triangles,
-                                 emissivities(c, nodes, state),
-                                 areas_of(c, nodes, state),
-                                 static_cast<std::uint32_t>(nodes.radiating()),
-                                 rays,
-                                 c.seed,
-                                 state.interval,
-                                 reservoirs(c, nodes)};
-  Exchange exchange = radiation::trace_exchange(input);
+  std::vector<double> emissivity = emissivities(c, nodes, state);
+  std::vector<double> area = areas_of(c, nodes, state);
+  Exchange exchange;
+  if (c.models.radiation->law == RadiationLaw::environment) {
+    exchange = to_neighbours(nodes, state, std::move(emissivity), area);
+  } else {
+    const auto spheres = spheres_of(state.particles);
+    const auto triangles = walls_now(c, nodes, state.time);
+    exchange =
+        radiation::trace_exchange({spheres, triangles, std::move(emissivity), std::move(area),
+                                   static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
+                                   state.interval, reservoirs(c, nodes)});
+  }
   exchange.traced_at = state.time;
   return exchange;
 }

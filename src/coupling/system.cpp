@@ -9,48 +9,32 @@
 namespace pmr::coupling {
 namespace {
 
-// Both halves of the matrix of links that stand in order of (a, b), a < b: each row's lower part
-// comes in order of a, its upper part in order of b.
-Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes) {
-  Csr csr;
-  csr.start.assign(nodes + 1, 0);
-  for (const HeatLink& link : links) {
-    ++csr.start[link.a + 1];
-    ++csr.start[link.b + 1];
-  }
-  for (std::size_t row = 0; row < nodes; ++row) csr.start[row + 1] += csr.start[row];
-  csr.column.resize(2 * links.size());
-  csr.value.resize(2 * links.size());
-  std::vector<std::uint64_t> next(csr.start.begin(), csr.start.end() - 1);
-  const auto put = [&](Node row, Node column, const HeatLink& link) {
-    csr.column[next[row]] = column;
-    csr.value[next[row]++] = link.contact + link.gap;
-  };
-  for (const HeatLink& link : links) put(link.b, link.a, link);
-  for (const HeatLink& link : links) put(link.a, link.b, link);
-  return csr;
-}
-
 void list_particles(const Case& c, const State& state, System& system) {
   const Particles& p = state.particles;
-  const std::size_t inserted = system.nodes->particles;
-  system.solid.assign(inserted, {nullptr, 0.0});
-  system.reactant_of.assign(inserted, System::no_reactant);
-  system.delta.assign(inserted, 0.0);
-  std::vector<std::uint32_t> place(inserted, System::no_reactant);
+  const Nodes& nodes = *system.nodes;
+  const auto parts = static_cast<double>(nodes.shells);
+  system.solid.assign(nodes.solids(), {nullptr, 0.0});
+  system.reactant_of.assign(nodes.solids(), System::no_reactant);
+  system.delta.assign(nodes.solids(), 0.0);
+  std::vector<std::uint32_t> place(nodes.particles, System::no_reactant);
   for (std::size_t i = 0; i < p.size(); ++i) {
     place[p.id[i]] = static_cast<std::uint32_t>(i);
-    system.solid[p.id[i]] = solid_of(c, p, i);
-    system.delta[p.id[i]] = p.delta[i];
-    system.stores[p.id[i]] = 1;
-    system.held_temperature[p.id[i]] = p.temperature[i];  // first guess of the inversion
+    for (std::size_t k = 0; k < nodes.shells; ++k) {
+      const Node node = nodes.shell(p.id[i], k);
+      system.solid[node] = solid_of(c, p, i);
+      system.solid[node].amount /= parts;
+      system.delta[node] = nodes.shells > 1 ? state.shells.delta[node] : p.delta[i];
+      system.stores[node] = 1;
+      system.held_temperature[node] = p.temperature[i];  // first guess of the inversion
+    }
   }
   if (!c.models.reaction) return;
-  for (std::uint32_t id = 0; id < inserted; ++id) {
-    if (place[id] == System::no_reactant || !system.solid[id].material->redox) continue;
-    const double r = p.radius[place[id]];
-    system.reactant_of[id] = static_cast<std::uint32_t>(system.reactants.size());
-    system.reactants.push_back({id, 4.0 / 3.0 * pi * r * r * r, p.iron[place[id]]});
+  for (Node node = 0; node < nodes.solids(); ++node) {
+    const std::uint32_t i = place[node % nodes.particles];
+    if (i == System::no_reactant || !system.solid[node].material->redox) continue;
+    const double r = p.radius[i];
+    system.reactant_of[node] = static_cast<std::uint32_t>(system.reactants.size());
+    system.reactants.push_back({node, 4.0 / 3.0 * pi * r * r * r / parts, p.iron[i] / parts});
   }
 }
 
@@ -102,11 +86,14 @@ System assemble_system(const Case& c, const Nodes& nodes, const State& state,
 std::vector<double> pack(const System& system, const State& state) {
   std::vector<double> y(system.size(), 0.0);
   const Particles& p = state.particles;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    y[p.id[i]] = p.enthalpy[i];
-    const std::uint32_t k = system.reactant_of[p.id[i]];
-    if (k != System::no_reactant) y[system.delta_begin() + k] = p.delta[i];
-  }
+  const Nodes& nodes = *system.nodes;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t k = 0; k < nodes.shells; ++k) {
+      const Node node = nodes.shell(p.id[i], k);
+      y[node] = nodes.shells > 1 ? state.shells.enthalpy[node] : p.enthalpy[i];
+      const std::uint32_t reactant = system.reactant_of[node];
+      if (reactant != System::no_reactant) y[system.delta_begin() + reactant] = system.delta[node];
+    }
   std::copy(state.walls.cell_energy.begin(), state.walls.cell_energy.end(),
             y.begin() + static_cast<std::ptrdiff_t>(system.cell_begin()));
   if (system.closed) {
@@ -119,12 +106,23 @@ std::vector<double> pack(const System& system, const State& state) {
 
 void unpack(const System& system, std::span<const double> y, State& state) {
   Particles& p = state.particles;
+  const Nodes& nodes = *system.nodes;
+  const auto parts = static_cast<double>(nodes.shells);
   parallel_for(p.size(), [&](std::size_t i) {
-    p.enthalpy[i] = y[p.id[i]];
-    const std::uint32_t k = system.reactant_of[p.id[i]];
-    if (k != System::no_reactant) p.delta[i] = y[system.delta_begin() + k];
-    p.temperature[i] =
-        chemistry::temperature(system.solid[p.id[i]], p.enthalpy[i], p.delta[i], p.temperature[i]);
+    double enthalpy = 0.0, delta = 0.0;
+    for (std::size_t k = 0; k < nodes.shells; ++k) {
+      const Node node = nodes.shell(p.id[i], k);
+      enthalpy += y[node];
+      delta += delta_of(system, y, node);
+      if (nodes.shells == 1) continue;
+      state.shells.enthalpy[node] = y[node];
+      state.shells.delta[node] = delta_of(system, y, node);
+    }
+    p.enthalpy[i] = enthalpy;
+    p.delta[i] = delta / parts;
+    chemistry::Solid whole = system.solid[p.id[i]];
+    whole.amount *= parts;
+    p.temperature[i] = chemistry::temperature(whole, enthalpy, p.delta[i], p.temperature[i]);
   });
   for (std::size_t k = 0; k < system.nodes->cells; ++k)
     state.walls.cell_energy[k] = y[system.cell_begin() + k];

@@ -1,7 +1,7 @@
 // The heat and reaction network over one interval, as an ODE system: what is constant during the
 // interval, where each unknown stands, and the physics of its right-hand side.
 //
-// Unknowns y: enthalpy of each particle by id [J], delta of each redox particle [1], energy of each
+// Unknowns y: enthalpy of each solid node [J], delta of each that reacts [1], energy of each
 // wall cell [J], and for a closed chamber n_O2 [mol], n_N2 [mol], U [J]. With energies and moles as
 // unknowns, the books are linear invariants of the system, which BDF keeps.
 #pragma once
@@ -17,9 +17,9 @@
 
 namespace pmr::coupling {
 
-// A particle that gives off oxygen.
+// A particle, or a shell of one, that gives off oxygen.
 struct Reactant {
-  std::uint32_t id;
+  Node id;
   double volume;  // [m3]
   double iron;    // [mol]
 };
@@ -39,10 +39,10 @@ struct System {
   const Csr* exchange;                     // [m2] radiation; nullptr when off
   std::vector<HeatLink> links;             // [W/K]
   Csr conductance;                         // [W/K] the links as symmetric rows over all nodes
-  std::vector<chemistry::Solid> solid;     // by particle id; amount 0: no longer there
-  std::vector<Reactant> reactants;         // those that may react, in order of id
-  std::vector<std::uint32_t> reactant_of;  // by particle id; no_reactant
-  std::vector<double> delta;               // [1] by particle id, of those that do not react
+  std::vector<chemistry::Solid> solid;     // by solid node; amount 0: no longer there
+  std::vector<Reactant> reactants;         // those that may react, in order of their nodes
+  std::vector<std::uint32_t> reactant_of;  // by solid node; no_reactant
+  std::vector<double> delta;               // [1] by solid node, of those that do not react
   std::vector<WallProfile> profiles;
   std::vector<char> stores;              // by node: 1 where heat is stored, 0 for reservoirs
   std::vector<double> held_temperature;  // [K] by node, of reservoirs; of particles the first guess

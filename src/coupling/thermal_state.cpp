@@ -26,6 +26,15 @@ void begin_walls(const Nodes& nodes, WallNodes& walls) {
   }
 }
 
+// Every shell has its part of what the particle holds.
+void begin_shells(const Nodes& nodes, const Particles& p, Shells& shells) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t k = 0; k < nodes.shells; ++k) {
+      shells.enthalpy[nodes.shell(p.id[i], k)] = p.enthalpy[i] / static_cast<double>(nodes.shells);
+      shells.delta[nodes.shell(p.id[i], k)] = p.delta[i];
+    }
+}
+
 }  // namespace
 
 double initial_delta(const Case& c, const Species& species) {
@@ -57,6 +66,12 @@ void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
   begin_particles(c, delta, state.particles);
   begin_particles(c, delta, state.waiting);
   begin_walls(nodes, state.walls);
+  if (nodes.shells > 1) {
+    state.shells = {std::vector<double>(nodes.solids(), 0.0),
+                    std::vector<double>(nodes.solids(), 0.0)};
+    begin_shells(nodes, state.particles, state.shells);
+    begin_shells(nodes, state.waiting, state.shells);
+  }
   state.opening.energy = stored_energy(state);
   state.opening.oxygen = bound_oxygen(c, state.particles) + bound_oxygen(c, state.waiting);
   state.opening.particles = state.particles.size() + state.waiting.size();

@@ -19,7 +19,7 @@ void for_each_contact_field(C& history, Visitor&& visit) {
 
 template <class E, class Visitor>
 void for_each_exchange_field(E& exchange, Visitor&& visit) {
-  auto& [factor, emissivity, traced_at, rays, relative_error] = exchange;
+  auto& [factor, emissivity, traced_at, rays, relative_error, row_sum_error, unfinished] = exchange;
   auto& [start, column, value] = factor;
   visit("exchange/start", "1", start);
   visit("exchange/column", "1", column);
@@ -28,6 +28,8 @@ void for_each_exchange_field(E& exchange, Visitor&& visit) {
   visit("exchange/traced_at", "s", traced_at);
   visit("exchange/rays", "1", rays);
   visit("exchange/relative_error", "1", relative_error);
+  visit("exchange/row_sum_error", "1", row_sum_error);
+  visit("exchange/unfinished", "1", unfinished);
 }
 
 template <class S, class Visitor>
@@ -53,8 +55,8 @@ void for_each_book_field(S& state, Visitor&& visit) {
 template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, elastic_energy,
-         network_step, particles, waiting, pair_contacts, wall_contacts, walls, gas, exchange, fluxes,
-         opening, extremes, lost] = state;
+         network_step, particles, waiting, pair_contacts, wall_contacts, walls, shells, gas,
+         exchange, fluxes, opening, extremes, lost] = state;
   visit("time", "s", time);
   visit("phase", "1", phase);
   visit("step", "1", step);
@@ -66,6 +68,9 @@ void for_each_ordered_field(S& state, Visitor&& visit) {
   visit("network_step", "s", network_step);
   auto& [cell_energy] = walls;
   visit("walls/cell_energy", "J", cell_energy);
+  auto& [shell_enthalpy, shell_delta] = shells;
+  visit("shells/enthalpy", "J", shell_enthalpy);
+  visit("shells/delta", "1", shell_delta);
   for_each_exchange_field(exchange, visit);
   for_each_book_field(state, visit);
 }

@@ -50,7 +50,7 @@ Value spec_of(Value::Array lines) {
   return spec;
 }
 
-std::string curves(const Points& points, Charts& charts) {
+std::string curves(const Points& points, double solid_fraction, Charts& charts) {
   Value::Array lines;
   std::size_t k = 0;
   for (const double pressure : pressures_of(points)) {
@@ -60,9 +60,11 @@ std::string curves(const Points& points, Charts& charts) {
     lines.push_back(line(points, pressure, "zehner_bauer_schluender",
                          at + ", Zehner-Bauer-Schl\u00fcnder", colour, "5 4"));
   }
-  return charts.add("conductivity", "Effective conductivity of the bed", spec_of(std::move(lines)),
-                    "Hot plate above, cold plate below, all else insulated; heat flow and slope of "
-                    "the particles\u2019 temperatures in the middle half of the bed.");
+  return charts.add(
+      "conductivity", "Effective conductivity of the bed", spec_of(std::move(lines)),
+      "Hot plate above, cold plate below, all else insulated; heat flux and slope of "
+      "the particles\u2019 temperatures in the bed\u2019s inside, of solid fraction " +
+          fixed(solid_fraction, 3) + ".");
 }
 
 std::string paths(const Points& points, double pressure, std::size_t k, Charts& charts) {
@@ -92,8 +94,10 @@ std::string ratios(const Points& points) {
 }  // namespace
 
 Section conductivity_section(const RunData& run, Charts& charts) {
-  const Points& points = run.summary.items("effective_conductivity");
-  std::string html = curves(points, charts), parts;
+  const Points& points = run.summary.items("effective_conductivity/points");
+  std::string html = curves(points, run.summary.number("effective_conductivity/solid_fraction"),
+                            charts),
+              parts;
   std::size_t k = 0;
   for (const double pressure : pressures_of(points)) parts += paths(points, pressure, k++, charts);
   html += element("div", parts, "class=\"charts\"") + ratios(points);

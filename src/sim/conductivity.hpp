@@ -16,10 +16,14 @@ struct BedConductivity {
   double total() const { return contact + gap + radiation; }
 };
 
-// k [W/m/K] at each temperature and pressure of the case's instrument: Fourier's law over the
-// middle half of the bed's height, with the mean flow through its horizontal planes (every plane
-// carries the same) and the slope of the particles' temperatures. The plates' own resistance stays
-// outside.
-std::vector<BedConductivity> measure_conductivity(const Case& c, const State& state);
+struct BedConductivities {
+  double solid_fraction;  // [1] where they were measured
+  std::vector<BedConductivity> points;
+};
+
+// k [W/m/K] at each temperature and pressure of the case's instrument: mean flux density over slope
+// of the particles' temperatures, in the middle half of the bed's height and away from its side
+// walls. The plates' own resistance stays outside.
+BedConductivities measure_conductivity(const Case& c, const State& state);
 
 }  // namespace pmr::sim

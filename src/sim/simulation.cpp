@@ -118,7 +118,9 @@ void Simulation::retrace_if_due(const Interval& interval) {
 void Simulation::exchange_heat(const Interval& interval) {
   auto links = [&] {
     const StageTimer timer(timings_, "conduction");
-    return coupling::conduct(case_, nodes_, state_);
+    if (interval.moves() || !coupling::walls_stand(case_, gaps_, state_.time))
+      gaps_ = coupling::find_gaps(case_, nodes_, state_);
+    return coupling::conduct(case_, nodes_, state_, gaps_);
   }();
   const StageTimer timer(timings_, "network");
   const double pressure = coupling::atmosphere(case_, state_).pressure;

@@ -57,6 +57,7 @@ class Simulation {
   std::vector<physics::Entry> entries_;  // of particles to be poured in
   coupling::Nodes nodes_;
   Recorder recorder_;
+  coupling::Gaps gaps_;  // of the bed as it last lay
   Timings timings_;
   coupling::NetworkWork work_;
 };

@@ -233,6 +233,14 @@ Json assumed_of(const Case& c) {
   return assumed;
 }
 
+// The last tracing. Pairs that no ray joined are left out: what a single ray carries is the
+// cut-off.
+Json radiation_of(const Exchange& exchange) {
+  return {{"traced_at", number(exchange.traced_at)}, {"rays", exchange.rays},
+          {"factors", exchange.factor.entries()},    {"relative_error", exchange.relative_error},
+          {"row_sum_error", exchange.row_sum_error}, {"rays_given_up", exchange.unfinished}};
+}
+
 void add_heat(const SummaryInput& in, Json& summary) {
   const Balance balance = close_books(in.setup, in.state);
   const Fluxes& f = in.state.fluxes;
@@ -250,6 +258,7 @@ void add_heat(const SummaryInput& in, Json& summary) {
                          {"energy_residual", balance.energy_residual},
                          {"oxygen_residual", balance.oxygen_residual},
                          {"heat_exchanged", f.heat_exchanged}};
+  if (in.setup.models.radiation) summary["radiation"] = radiation_of(in.state.exchange);
   summary["heat_paths"] = {{"contact", f.contact},
                            {"gap", f.gap},
                            {"radiation", f.radiation},
@@ -261,8 +270,9 @@ void add_heat(const SummaryInput& in, Json& summary) {
 }
 
 Json conductivity_of(const SummaryInput& in) {
+  const BedConductivities measured = measure_conductivity(in.setup, in.state);
   Json points = Json::array();
-  for (const BedConductivity& k : measure_conductivity(in.setup, in.state))
+  for (const BedConductivity& k : measured.points)
     points.push_back({{"temperature", k.temperature},
                       {"pressure", k.pressure},
                       {"conductivity", number(k.total())},
@@ -270,7 +280,7 @@ Json conductivity_of(const SummaryInput& in) {
                       {"gap", number(k.gap)},
                       {"radiation", number(k.radiation)},
                       {"zehner_bauer_schluender", number(k.correlation)}});
-  return points;
+  return {{"solid_fraction", measured.solid_fraction}, {"points", points}};
 }
 
 }  // namespace

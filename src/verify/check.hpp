@@ -21,6 +21,7 @@ struct Check {
 std::vector<Check> mechanics_checks();
 std::vector<Check> conduction_checks();
 std::vector<Check> radiation_checks();
+std::vector<Check> bulk_checks();
 std::vector<Check> chemistry_checks();
 std::vector<Check> coupling_checks();
 

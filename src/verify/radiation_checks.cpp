@@ -228,8 +228,7 @@ void add_spherical_cavity(std::vector<Check>& checks) {
                     "closed form, uniform irradiation of a spherical cavity (D): "
                     "E1 E2/(E1 + E2), E = eps A; 4 standard errors of one way"});
   checks.push_back({"radiation.exchange.cavity_rays", "Rays given up in the cavity",
-                    static_cast<double>(traced.report.unfinished), 0.0, 0.0, "1",
-                    "every ray is absorbed in the end"});
+                    traced.exchange.unfinished, 0.0, 0.0, "1", "every ray is absorbed in the end"});
 }
 
 // --- Beds
@@ -390,7 +389,7 @@ void add_matrix(std::vector<Check>& checks) {
   const auto sums = row_sums(g);
   double worst = 0.0;  // [1]
   for (std::uint32_t i = 0; i <= n; ++i)
-    worst = std::max(worst, std::abs((sums[i] + traced.report.self[i]) / (0.8 * area[i]) - 1.0));
+    worst = std::max(worst, std::abs((sums[i] + traced.self[i]) / (0.8 * area[i]) - 1.0));
   checks.push_back({"radiation.matrix.row_sums", "Worst row sum over eps A, less 1, at 10 rays",
                     worst, 0.0, 1e-9, "1", "all that is emitted is absorbed"});
   checks.push_back({"radiation.matrix.isothermal",

@@ -50,6 +50,8 @@ Exchange random_exchange(Filler& filler, std::size_t nodes) {
   filler.set(exchange.emissivity, nodes);
   filler.set(exchange.rays);
   filler.set(exchange.relative_error);
+  filler.set(exchange.row_sum_error);
+  filler.set(exchange.unfinished);
   return exchange;  // traced_at stays at minus infinity
 }
 
@@ -83,6 +85,8 @@ State random_state(std::size_t particles, std::uint64_t seed) {
   state.pair_contacts = random_contacts(filler, particles);
   state.wall_contacts = random_contacts(filler, particles);
   filler.set(state.walls.cell_energy, 17);
+  filler.set(state.shells.enthalpy, 2 * particles);
+  filler.set(state.shells.delta, 2 * particles);
   state.exchange = random_exchange(filler, particles + 5);
   fill_books(filler, state);
   state.lost = {{4, -0.25, Vec3(1.0, -0.0, 1e-310)}, {2, 0.5, Vec3(-3.0, 2.0, 1.0 / 3.0)}};

@@ -35,7 +35,7 @@ TEST_CASE("one and two threads give the same exchange, bit by bit") {
   CHECK(same_bits(one.exchange.factor.start, two.exchange.factor.start));
   CHECK(same_bits(one.exchange.factor.column, two.exchange.factor.column));
   CHECK(same_bits(one.exchange.factor.value, two.exchange.factor.value));
-  CHECK(same_bits(one.report.self, two.report.self));
+  CHECK(same_bits(one.self, two.self));
   CHECK(one.exchange.relative_error == two.exchange.relative_error);
 }
 
@@ -43,8 +43,8 @@ TEST_CASE("a closed bed loses nothing to the surroundings and an adiabatic wall 
   const auto bed = trace_bed(2);
   CHECK(bed.exchange.factor.columns(517).empty());
   CHECK(bed.exchange.factor.columns(518).empty());
-  CHECK(bed.report.self[517] == 0.0);
-  CHECK(bed.report.unfinished == 0);
+  CHECK(bed.self[517] == 0.0);
+  CHECK(bed.exchange.unfinished == 0);
 }
 
 TEST_CASE("columns ascend, factors are positive and the diagonal is left out") {
@@ -86,8 +86,8 @@ TEST_CASE("a perfectly reflecting box gives a sphere all its light back") {
   area[0] = sphere_area(1.0);
   const auto traced = trace({spheres, walls, emissivity, area, 8, 20000.0, 1, 0});
   CHECK(traced.exchange.factor.entries() == 0);
-  CHECK(traced.report.self[0] == Approx(0.3 * area[0]).epsilon(1e-12));
-  CHECK(traced.report.unfinished == 0);
+  CHECK(traced.self[0] == Approx(0.3 * area[0]).epsilon(1e-12));
+  CHECK(traced.exchange.unfinished == 0);
 }
 
 TEST_CASE("a black cube takes a sixth of its central sphere's light with each face") {

@@ -102,20 +102,30 @@ TEST_CASE("a ray meets first what Embree finds first, in a bed with walls and tw
   CHECK(differ < flown / 10000);
 }
 
-TEST_CASE("the grid finds what a search of all spheres finds") {
+TEST_CASE("cells know the sphere that covers a point as deepest") {
   auto spheres = jittered_lattice(9);
   for (std::size_t i = 0; i < spheres.size(); i += 5) spheres[i].radius = 2.2e-3;
   spheres.push_back({Vec3(0.5, 0.5, 0.5), 1e-3, 0});  // far out
-  const SphereGrid grid(spheres);
-  for (std::size_t i = 0; i < spheres.size(); i += 7) {
-    std::vector<std::uint32_t> found, expected;
-    grid.find(spheres, spheres[i].centre, 1.1e-3, found);
-    for (std::uint32_t j = 0; j < spheres.size(); ++j)
-      if ((spheres[j].centre - spheres[i].centre).norm() < spheres[j].radius + 1.1e-3)
-        expected.push_back(j);
-    std::sort(found.begin(), found.end());
-    CHECK(found == expected);
+  const Scene scene(spheres, {});
+  const Cells cells(scene);
+  Random random(5, Purpose::test, 1);
+  std::size_t covered = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 across(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    const Vec3 point = spheres[static_cast<std::size_t>(k) % spheres.size()].centre + 8e-3 * across;
+    std::uint32_t expected = none;
+    double deepest = 0.0;
+    for (std::uint32_t j = 0; j < spheres.size(); ++j) {
+      const double depth = spheres[j].radius - (point - spheres[j].centre).norm();
+      if (depth > deepest) {
+        deepest = depth;
+        expected = j;
+      }
+    }
+    covered += expected != none ? 1 : 0;
+    CHECK(cells.covering(point) == expected);
   }
+  CHECK(covered > 2000);
 }
 
 TEST_CASE("a turn is the library's cosine and sine to 1e-8") {

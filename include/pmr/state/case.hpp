@@ -131,11 +131,18 @@ struct MechanicsModel {
   std::optional<double> impact_speed = std::nullopt;  // [m/s] of contacts to be resolved
   bool allows_long_step = false;                      // an explicit step above the stable range
 };
+// The values behind the first of each are kept for comparison with other codes.
+enum class ContactConduction { batchelor_obrien, liggghts };
+enum class ContactArea { of_real_solid, of_soft_contact };
+enum class RadiationLaw { traced, environment };
 struct ConductionModel {
   bool contact;               // solid contacts
   bool gap;                   // gas in the gaps
   double gap_reach;           // [1] of the smaller radius, widest gap that conducts
   double bed_solid_fraction;  // [1] phi in r_ij of the gap model
+  std::size_t shells = 1;     // [1] of equal volume in each particle; 1: isothermal
+  ContactConduction contact_law = ContactConduction::batchelor_obrien;
+  ContactArea contact_area = ContactArea::of_real_solid;
 };
 struct RadiationModel {
   double rays_moving;        // [1] per smallest particle, while the bed moves
@@ -143,6 +150,7 @@ struct RadiationModel {
   double retrace_interval;   // [s] while moving
   double emissivity_change;  // [1] settled: retrace when any node changed by more
   double surroundings;       // [K] temperature where rays leave the rig
+  RadiationLaw law = RadiationLaw::traced;
 };
 struct NetworkModel {
   double relative_tolerance;     // [1]

@@ -18,6 +18,13 @@ struct WallNodes {
   std::vector<double> cell_energy;  // [J] rows of cells, patch by patch (coupling/wall_nodes.hpp)
 };
 
+// The insides of particles, where they are resolved: shell k of a particle, 0 the outermost, stands
+// at id + k * inserted. Empty where particles are isothermal.
+struct Shells {
+  std::vector<double> enthalpy;  // [J]
+  std::vector<double> delta;     // [1]
+};
+
 // Gas in the closed chamber.
 struct Gas {
   bool closed = false;
@@ -34,6 +41,8 @@ struct Exchange {
   double traced_at = -std::numeric_limits<double>::infinity();  // [s]
   double rays = 0.0;                                            // [1] of that tracing
   double relative_error = 0.0;  // [1] mean standard error of a row's largest factors
+  double row_sum_error = 0.0;   // [1] largest |sum_j G_ij/(eps_i A_i) - 1|, G_ii included
+  double unfinished = 0.0;      // [1] rays given back to their emitter after too many reflections
 };
 
 // Integrals of fluxes since the start, each integrated on its own; the ledger holds them against
@@ -115,12 +124,13 @@ struct State {
   double settled_at = std::numeric_limits<double>::infinity();    // [s] start of the react phase
   double set_point_at = std::numeric_limits<double>::infinity();  // [s] pressure first at set-point
   double elastic_energy = 0.0;  // [J] of the Hertz springs of all contacts
-  double network_step = 0.0;  // [s] CVODE's last step, tried first in the next interval
+  double network_step = 0.0;    // [s] CVODE's last step, tried first in the next interval
   Particles particles;
   Particles waiting;  // still to be poured in, by id: the order of their entry
   ContactHistory pair_contacts;
   ContactHistory wall_contacts;
   WallNodes walls;
+  Shells shells;
   Gas gas;
   Exchange exchange;
   Fluxes fluxes;

@@ -1,0 +1,138 @@
+// Radiation through the inside of a random bed, with the instrument that users have.
+#include <cmath>
+#include <string>
+
+#include "case/case.hpp"
+#include "coupling/thermal_state.hpp"
+#include "physics/insertion.hpp"
+#include "physics/mechanics.hpp"
+#include "pmr/base/constants.hpp"
+#include "sim/conductivity.hpp"
+#include "verify/check.hpp"
+
+namespace pmr::verify {
+namespace {
+
+constexpr double diameter = 2e-3;    // [m]
+constexpr double many_rays = 800;    // [1] of a sphere
+constexpr double settling = 0.2;     // [s]
+constexpr double temperature = 1e3;  // [K]
+
+// Twenty diameters wide, some sixteen high; so rough that the solid fraction inside is near 0.60,
+// and so stiff that overlaps don't count.
+constexpr const char* bed_text = R"(
+title = "A bed for radiation"
+gravity = "0 0 -9.80665 m/s2"
+domain = {low = "-30 -30 -5 mm", high = "30 30 90 mm"}
+species.ball = {material = "Al2O3", diameter = "2 mm", count = 6000, temperature = "1000 K", region = {base = "0 0 0 mm", radius = "20 mm", height = "55 mm"}}
+[walls.floor]
+kind = "disc"
+material = "coated-wall"
+centre = "0 0 0 mm"
+axis = [0, 0, 1]
+radius = "20 mm"
+thermal = {kind = "adiabatic"}
+[walls.side]
+kind = "cylinder"
+material = "coated-wall"
+base = "0 0 0 mm"
+axis = [0, 0, 1]
+radius = "20 mm"
+height = "60 mm"
+facing = "in"
+thermal = {kind = "adiabatic"}
+[walls.lid]
+kind = "disc"
+material = "coated-wall"
+centre = "0 0 60 mm"
+axis = [0, 0, -1]
+radius = "20 mm"
+thermal = {kind = "adiabatic"}
+[fill]
+duration = "1 s"
+rest_speed = "2 mm/s"
+rest_hold = "20 ms"
+[chamber]
+pressure = "1 atm"
+oxygen_fraction = 0.21
+gas_temperature = "1000 K"
+film_coefficient = "0 W/m2/K"
+leak = "0 mol/s/Pa"
+[models]
+conduction = true
+[materials.Al2O3]
+young_soft = "100 MPa"
+[contacts."Al2O3|Al2O3"]
+friction = 1.2
+rolling_friction = 0.8
+[models.radiation]
+surroundings = "1000 K"
+[conductivity]
+hot = "lid"
+cold = "floor"
+difference = "10 K"
+temperatures = "1000 K"
+pressures = "1 atm"
+)";
+
+State settled(const Case& c) {
+  State state;
+  state.particles = physics::insert(c);
+  state.opening.particles = state.particles.size();
+  physics::Mechanics mechanics(c);
+  Timings timings;
+  mechanics.advance(state, static_cast<std::uint64_t>(settling / mechanics.time_step()), timings);
+  return state;
+}
+
+struct Bulk {
+  double solid_fraction;
+  double factor;  // F* [1] = k_rad/(4 sigma d T^3)
+};
+
+Bulk measure(Case c, const State& bed, double emissivity, double rays) {
+  c.models.conduction.reset();
+  c.models.radiation->rays_settled = rays;
+  for (Material& material : c.materials.list) material.emissivity = {{{0.0}, {emissivity}}};
+  const auto measured = sim::measure_conductivity(c, bed);
+  const double unit = 4.0 * stefan_boltzmann * diameter * std::pow(temperature, 3);
+  return {measured.solid_fraction, measured.points.at(0).radiation / unit};
+}
+
+}  // namespace
+
+// F* of random packings of equal isothermal spheres at a solid fraction of 0.60 (D, an independent
+// tracing of periodic packings; scatter from packing to packing 0.1 %), carried the little way to
+// the bed's own solid fraction by the slope found with this instrument between 0.603 and 0.612. 2
+// %: those figures are good to 1 %, and a bed laid down by gravity is another packing than theirs:
+// pmr is 1.4 % lower at all four emissivities, the same from seed to seed within 0.2 %.
+std::vector<Check> bulk_checks() {
+  constexpr double slope = -1.6;  // [1] d ln F*/d phi
+  const Case c = casefile::load_case_text(bed_text, "bed for radiation", ".", {});
+  const State bed = settled(c);
+  std::vector<Check> checks;
+  double reference = 0.0;  // F* at 0.8
+  for (const auto& [emissivity, published] :
+       {std::pair{1.0, 1.035}, {0.8, 0.794}, {0.6, 0.591}, {0.4, 0.417}}) {
+    const Bulk bulk = measure(c, bed, emissivity, many_rays);
+    const double expected = published * (1.0 + slope * (bulk.solid_fraction - 0.6));
+    if (emissivity == 0.8) reference = bulk.factor;
+    checks.push_back({"radiation.bulk.F" + std::to_string(emissivity).substr(0, 3),
+                      "F* = k_rad/(4 sigma d T^3) of a settled bed, emissivity " +
+                          std::to_string(emissivity).substr(0, 3) + ", solid fraction " +
+                          std::to_string(bulk.solid_fraction).substr(0, 5),
+                      bulk.factor, expected, 0.02 * expected, "1",
+                      "independent tracing of random packings at 0.60, good to 1 %; 2 %"});
+  }
+  // Few rays in a frozen matrix starve the paths that none of them took. Plain random rays lose
+  // about 1/M; quasi-random ones, both ways averaged, must lose less, and never gain.
+  for (const auto& [rays, worst] : {std::pair{10.0, 0.12}, {30.0, 0.035}, {100.0, 0.008}})
+    checks.push_back({"radiation.bulk.bias_" + std::to_string(static_cast<int>(rays)),
+                      "Loss of k_rad with few rays a sphere, emissivity 0.8",
+                      1.0 - measure(c, bed, 0.8, rays).factor / reference, 0.5 * worst, 0.5 * worst,
+                      "1",
+                      "between nothing and what plain random rays lose on another packing (D)"});
+  return checks;
+}
+
+}  // namespace pmr::verify
