@@ -113,7 +113,7 @@ int main(int count, char** arguments) {
   for (const Sphere& s : spheres) input.area.push_back(4.0 * pi * s.radius * s.radius);
   input.area.insert(input.area.end(),
                     {2.0 * pi * radius * lid, pi * radius * radius, pi * radius * radius, 0.0});
-  TracedExchange traced;
+  Exchange traced;
   const double factor_seconds = seconds([&] { traced = trace(input); });
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -124,7 +124,6 @@ int main(int count, char** arguments) {
             << ',' << rays_flown.size() << ',' << plain_seconds << ',' << near_seconds << ','
             << plain_seconds / near_seconds << ','
             << static_cast<double>(differ) / static_cast<double>(plain.size()) << ',' << rays << ','
-            << traced.exchange.rays << ',' << factor_seconds << ','
-            << traced.exchange.factor.column.size() << ',' << traced.exchange.row_sum_error << ','
-            << usage.ru_maxrss / 1024 << '\n';
+            << traced.rays << ',' << factor_seconds << ',' << traced.factor.column.size() << ','
+            << traced.row_sum_error << ',' << usage.ru_maxrss / 1024 << '\n';
 }

@@ -126,7 +126,7 @@ void check(const ExchangeInput& input) {
 
 }  // namespace
 
-TracedExchange trace(const ExchangeInput& input) {
+Exchange trace(const ExchangeInput& input) {
   check(input);
   const Tracer tracer(input.spheres, input.triangles);
   const Emitters emitters(tracer.scene(), input.nodes);
@@ -138,22 +138,28 @@ TracedExchange trace(const ExchangeInput& input) {
       units.size(), [&](std::size_t k) { results[k] = trace_unit(setup, units[k]); },
       units_per_block);
 
-  TracedExchange traced;
+  Exchange traced;
   std::vector<CountRow> counts(input.nodes);
   std::vector<double> emissions(input.nodes, 0.0);  // [m2] of the nodes that emit
   for (std::size_t k = 0; k < units.size(); ++k) {
     add_counts(counts[units[k].node], std::move(results[k].hits));
-    traced.exchange.unfinished += static_cast<double>(results[k].unfinished);
-    traced.exchange.rays += static_cast<double>(units[k].last - units[k].first);
+    traced.unfinished += static_cast<double>(results[k].unfinished);
+    traced.rays += static_cast<double>(units[k].last - units[k].first);
     emissions[units[k].node] = emission(input, units[k].node);
   }
   Symmetric symmetric = symmetrise({std::move(counts), rays, emissions});
-  traced.exchange.factor = std::move(symmetric.factor);
-  traced.exchange.emissivity = input.emissivity;
-  traced.exchange.relative_error = symmetric.relative_error;
+  traced.factor = std::move(symmetric.factor);
+  traced.emissivity = traced.traced_emissivity = input.emissivity;
+  traced.relative_error = symmetric.relative_error;
   traced.self = std::move(symmetric.self);
-  traced.exchange.row_sum_error = symmetric.row_sum_error;
+  traced.row_sum_error = symmetric.row_sum_error;
   return traced;
+}
+
+void rescale(std::vector<double> emissivity, const std::vector<double>& emission,
+             Exchange& exchange) {
+  exchange.row_sum_error = balance(emission, exchange.factor, exchange.self);
+  exchange.emissivity = std::move(emissivity);
 }
 
 std::vector<std::uint64_t> view_counts(const Tracer& tracer, std::uint32_t primitive,

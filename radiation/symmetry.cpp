@@ -39,38 +39,46 @@ void for_each_partner(const CountRow& out, const CountRow& in, const Visit& visi
   }
 }
 
-// The mean of the two estimates of each factor, diagonal included. Surroundings and reservoirs do
-// not emit: their columns are one-sided. `error`: mean over rows of the Poisson error of the factor
-// with most rays, diagonal and surroundings left out.
-Csr merge(const Counted& counted, double& error) {
+// The mean of the two estimates of each factor. Surroundings and reservoirs do not emit: their
+// columns are one-sided. Also the mean over rows of the Poisson error of the factor with most rays,
+// surroundings left out.
+Symmetric merge(const Counted& counted) {
   const std::vector<CountRow> received = transpose(counted.rows);
   const std::size_t nodes = counted.rows.size();
   std::vector<std::uint64_t> length(nodes, 0), most(nodes, 0);
   parallel_for(nodes, [&](std::size_t i) {
     for_each_partner(counted.rows[i], received[i],
                      [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
+                       if (j == i) return;
                        ++length[i];
-                       if (j != i && j + 1 != nodes) most[i] = std::max(most[i], sent + back);
+                       if (j + 1 != nodes) most[i] = std::max(most[i], sent + back);
                      });
   });
-  Csr csr;
-  csr.start.reserve(nodes + 1);
-  for (const std::uint64_t entries : length) csr.start.push_back(csr.start.back() + entries);
-  csr.column.resize(csr.start.back());
-  csr.value.resize(csr.start.back());
+  Symmetric result;
+  result.self.assign(nodes, 0.0);
+  Csr& g = result.factor;
+  g.start.reserve(nodes + 1);
+  for (const std::uint64_t entries : length) g.start.push_back(g.start.back() + entries);
+  g.column.resize(g.start.back());
+  g.value.resize(g.start.back());
   const auto power = [&](std::size_t node, std::uint64_t rays) {  // [m2]
     return rays == 0 ? 0.0
                      : counted.emission[node] / static_cast<double>(counted.rays[node]) *
                            static_cast<double>(rays);
   };
   parallel_for(nodes, [&](std::size_t i) {
-    std::uint64_t k = csr.start[i];
+    std::uint64_t k = g.start[i];
     for_each_partner(counted.rows[i], received[i],
                      [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
                        const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
                        const double both = power(i, sent) + power(j, back);
-                       csr.column[k] = j;
-                       csr.value[k++] = one_sided ? both : 0.5 * both;
+                       const double value = one_sided ? both : 0.5 * both;
+                       if (j == i) {
+                         result.self[i] = value;
+                         return;
+                       }
+                       g.column[k] = j;
+                       g.value[k++] = value;
                      });
   });
   double sum = 0.0, rows = 0.0;
@@ -79,48 +87,8 @@ Csr merge(const Counted& counted, double& error) {
       sum += 1.0 / std::sqrt(static_cast<double>(most[i]));
       rows += 1.0;
     }
-  error = rows > 0.0 ? sum / rows : 0.0;
-  return csr;
-}
-
-// Factors s_i with s_i sum_j G_ij s_j = eps_i A_i; 1 for the surroundings.
-std::vector<double> scales(const Csr& g, const std::vector<double>& emission, double& worst) {
-  std::vector<double> scale(g.rows(), 1.0), ratio(g.rows(), 1.0);
-  for (int sweep = 0;; ++sweep) {
-    parallel_for(g.rows(), [&](std::size_t i) {
-      if (!(emission[i] > 0.0)) return;
-      double sum = 0.0;  // [m2]
-      for (std::uint64_t k = g.start[i]; k < g.start[i + 1]; ++k)
-        sum += g.value[k] * scale[g.column[k]];
-      ratio[i] = sum * scale[i] / emission[i];
-    });
-    worst = parallel_max(g.rows(), 0.0, [&](std::size_t i) { return std::abs(ratio[i] - 1.0); });
-    if (sweep == most_sweeps || worst <= good_enough) return scale;
-    for (std::size_t i = 0; i < g.rows(); ++i) scale[i] /= std::sqrt(ratio[i]);
-  }
-}
-
-// Scales in place and takes the diagonal out.
-std::vector<double> finish(Csr& g, const std::vector<double>& scale) {
-  std::vector<double> self(g.rows(), 0.0);
-  std::uint64_t kept = 0, k = 0;
-  for (std::size_t i = 0; i < g.rows(); ++i) {
-    const std::uint64_t last = g.start[i + 1];
-    for (; k < last; ++k) {
-      const std::uint32_t j = g.column[k];
-      const double value = g.value[k] * (scale[i] * scale[j]);  // same bits for (j, i)
-      if (j == i) {
-        self[i] = value;
-        continue;
-      }
-      g.column[kept] = j;
-      g.value[kept++] = value;
-    }
-    g.start[i + 1] = kept;
-  }
-  g.column.resize(kept);
-  g.value.resize(kept);
-  return self;
+  result.relative_error = rows > 0.0 ? sum / rows : 0.0;
+  return result;
 }
 
 }  // namespace
@@ -166,11 +134,32 @@ void add_counts(CountRow& sum, CountRow&& row) {
   sum = std::move(merged);
 }
 
+double balance(const std::vector<double>& emission, Csr& g, std::vector<double>& self) {
+  std::vector<double> scale(g.rows(), 1.0), ratio(g.rows(), 1.0);
+  double worst = 0.0;
+  for (int sweep = 0;; ++sweep) {
+    parallel_for(g.rows(), [&](std::size_t i) {
+      if (!(emission[i] > 0.0)) return;
+      double sum = self[i] * scale[i];  // [m2]
+      for (std::uint64_t k = g.start[i]; k < g.start[i + 1]; ++k)
+        sum += g.value[k] * scale[g.column[k]];
+      ratio[i] = sum * scale[i] / emission[i];
+    });
+    worst = parallel_max(g.rows(), 0.0, [&](std::size_t i) { return std::abs(ratio[i] - 1.0); });
+    if (sweep == most_sweeps || worst <= good_enough) break;
+    for (std::size_t i = 0; i < g.rows(); ++i) scale[i] /= std::sqrt(ratio[i]);
+  }
+  parallel_for(g.rows(), [&](std::size_t i) {
+    self[i] *= scale[i] * scale[i];
+    for (std::uint64_t k = g.start[i]; k < g.start[i + 1]; ++k)
+      g.value[k] *= scale[i] * scale[g.column[k]];  // same bits for (j, i)
+  });
+  return worst;
+}
+
 Symmetric symmetrise(const Counted& counted) {
-  Symmetric result;
-  result.factor = merge(counted, result.relative_error);
-  const auto scale = scales(result.factor, counted.emission, result.row_sum_error);
-  result.self = finish(result.factor, scale);
+  Symmetric result = merge(counted);
+  result.row_sum_error = balance(counted.emission, result.factor, result.self);
   return result;
 }
 

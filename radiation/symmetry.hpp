@@ -43,4 +43,8 @@ struct Symmetric {
 
 Symmetric symmetrise(const Counted& counted);
 
+// Multiplies each factor with s_i s_j so that rows, diagonal `self` included, sum up to eps_i A_i
+// [m2]; s = 1 where that is 0. The largest error of a row sum that is left [1].
+double balance(const std::vector<double>& emission, Csr& factor, std::vector<double>& self);
+
 }  // namespace pmr::radiation

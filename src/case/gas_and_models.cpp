@@ -69,7 +69,9 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   radiation.rays_moving = table.value("rays_moving", rays, 64.0);
   radiation.rays_settled = table.value("rays_settled", rays, 512.0);
   radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.04);
-  radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.02);
+  radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.005);
+  radiation.emissivity_change_traced =
+      table.value("emissivity_change_traced", a_positive_number, 0.05);
   radiation.surroundings = table.value("surroundings", a_temperature);
   if (table.has("law") && table.choice("law", {"traced", "environment"}) == "environment")
     radiation.law = RadiationLaw::environment;

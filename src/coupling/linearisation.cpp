@@ -41,8 +41,7 @@ Linearisation::Linearisation(const System& system)
   }
 }
 
-void Linearisation::fix(double t, std::span<const double> y, Evaluation& at) {
-  evaluate(system_, t, y, at);
+void Linearisation::fix(double t, std::span<const double> y, const Evaluation& at) {
   parallel_for(emission_slope_.size(), [&](std::size_t i) {
     const double T = at.temperature[i];
     emission_slope_[i] = 4.0 * stefan_boltzmann * T * T * T;

@@ -17,7 +17,7 @@ class Linearisation {
  public:
   explicit Linearisation(const System& system);
 
-  void fix(double t, std::span<const double> y, Evaluation& at);  // J at (t, y)
+  void fix(double t, std::span<const double> y, const Evaluation& at);  // J at (t, y)
   void product(std::span<const double> v, std::span<double> jv) const;
   void prepare(double gamma);  // [s] factorises P at the fixed point
   void precondition(std::span<const double> r, std::span<double> z) const;

@@ -1,6 +1,8 @@
 #include "coupling/network.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "coupling/cvode.hpp"
 #include "coupling/flux_rates.hpp"
@@ -59,6 +61,33 @@ void add(std::span<const double> integral, Fluxes& fluxes) {
   for_each_flux(fluxes, [&](const char*, const char*, double& flux) { flux += integral[k++]; });
 }
 
+// The evaluation at the point that was asked for last: CVODES wants rates, quadratures and the
+// Jacobian at the same (t, y), one after the other.
+class Looked {
+ public:
+  explicit Looked(const System& system) : system_(system) {}
+
+  // False where y lies outside the domain of the physics.
+  bool look(double t, In y) {
+    if (is_valid_ && t == t_ && std::equal(y.begin(), y.end(), y_.begin())) return true;
+    is_valid_ = evaluate(system_, t, y, at_);
+    t_ = t;
+    y_.assign(y.begin(), y.end());
+    ++times_;
+    return is_valid_;
+  }
+  long times() const { return times_; }  // that it had to be evaluated
+  const Evaluation& at() const { return at_; }
+
+ private:
+  const System& system_;
+  Evaluation at_;
+  double t_ = 0.0;
+  std::vector<double> y_;
+  bool is_valid_ = false;
+  long times_ = 0;
+};
+
 }  // namespace
 
 NetworkWork advance_network(const Case& c, const Nodes& nodes, std::vector<HeatLink> links,
@@ -66,29 +95,34 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, std::vector<HeatL
   const System system = assemble_system(c, nodes, state, std::move(links));
   std::vector<double> y = pack(system, state);
   if (y.empty()) return {};
-  Evaluation at;
-  if (!evaluate(system, from, y, at))
+  Looked looked(system);
+  if (!looked.look(from, y))
     throw NumericsError("heat and reaction network: its state lies outside the physics at t = " +
                         std::to_string(from) + " s");
   Linearisation linear(system);
+  long fixed = 0;  // the look at which `linear` stands
 
   OdeProblem problem;
   problem.rate = [&](double t, In now, Out rate) {
-    if (!evaluate(system, t, now, at)) return false;
-    fill_rates(system, at, rate);
+    if (!looked.look(t, now)) return false;
+    fill_rates(system, looked.at(), rate);
     return true;
   };
   problem.quadrature = [&](double t, In now, Out rate) {
-    if (!evaluate(system, t, now, at)) return false;
-    const auto values = as_vector(flux_rates(system, at, now));
+    if (!looked.look(t, now)) return false;
+    const auto values = as_vector(flux_rates(system, looked.at(), now));
     std::copy(values.begin(), values.end(), rate.begin());
     return true;
   };
-  problem.linearise = [&](double t, In now) { linear.fix(t, now, at); };
+  problem.linearise = [&](double t, In now) {
+    if (!looked.look(t, now) || fixed == looked.times()) return;
+    linear.fix(t, now, looked.at());
+    fixed = looked.times();
+  };
   problem.product = [&](In v, Out jv) { linear.product(v, jv); };
   problem.prepare = [&](double gamma) { linear.prepare(gamma); };
   problem.precondition = [&](In r, Out z) { linear.precondition(r, z); };
-  const std::vector<double> absolute = tolerances(c, system, y, at);
+  const std::vector<double> absolute = tolerances(c, system, y, looked.at());
   problem.weigh = [&](In now, Out weight) {
     weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
   };

@@ -76,7 +76,8 @@ Exchange to_neighbours(const Nodes& nodes, const State& state, std::vector<doubl
   std::sort(links.begin(), links.end(), comes_before);
   Exchange exchange;
   exchange.factor = symmetric_rows(links, nodes.radiating());
-  exchange.emissivity = std::move(emissivity);
+  exchange.self.assign(nodes.radiating(), 0.0);
+  exchange.emissivity = exchange.traced_emissivity = std::move(emissivity);
   return exchange;
 }
 
@@ -98,13 +99,21 @@ std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State&
   return emissivity;
 }
 
-double emissivity_change(const Case& c, const Nodes& nodes, const State& state) {
-  if (state.exchange.emissivity.empty()) return std::numeric_limits<double>::infinity();
-  const auto now = emissivities(c, nodes, state);
+double largest_change(const std::vector<double>& now, const std::vector<double>& then) {
+  if (then.size() != now.size()) return std::numeric_limits<double>::infinity();
   double change = 0.0;
   for (std::size_t i = 0; i < now.size(); ++i)
-    change = std::max(change, std::abs(now[i] - state.exchange.emissivity[i]));
+    change = std::max(change, std::abs(now[i] - then[i]));
   return change;
+}
+
+void rescale(const Case& c, const Nodes& nodes, State& state) {
+  std::vector<double> emissivity = emissivities(c, nodes, state);
+  std::vector<double> emission = areas_of(c, nodes, state);
+  const std::vector<char> reservoir = reservoirs(c, nodes);
+  for (std::size_t i = 0; i < emission.size(); ++i)
+    emission[i] = reservoir[i] != 0 ? 0.0 : emission[i] * emissivity[i];
+  radiation::rescale(std::move(emissivity), emission, state.exchange);
 }
 
 Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays) {
@@ -116,10 +125,9 @@ Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double r
   } else {
     const auto spheres = spheres_of(state.particles);
     const auto triangles = walls_now(c, nodes, state.time);
-    exchange =
-        radiation::trace_exchange({spheres, triangles, std::move(emissivity), std::move(area),
-                                   static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
-                                   state.interval, reservoirs(c, nodes)});
+    exchange = radiation::trace({spheres, triangles, std::move(emissivity), std::move(area),
+                                 static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
+                                 state.interval, reservoirs(c, nodes)});
   }
   exchange.traced_at = state.time;
   return exchange;

@@ -12,8 +12,11 @@ namespace pmr::coupling {
 // surroundings.
 std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State& state);
 
-// Largest change of emissivity since the last tracing [1]; infinite before the first.
-double emissivity_change(const Case& c, const Nodes& nodes, const State& state);
+// Largest change of any emissivity [1]; infinite if there was nothing then.
+double largest_change(const std::vector<double>& now, const std::vector<double>& then);
+
+// Brings the exchange factors to the emissivities of the moment without a new tracing.
+void rescale(const Case& c, const Nodes& nodes, State& state);
 
 // Exchange factors of the rig at state.time, `rays` [1] from the smallest emitter.
 Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays);

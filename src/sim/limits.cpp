@@ -78,9 +78,10 @@ std::vector<std::string> limits_touched(const Case& c, const State& state) {
     if (!balance.closes())
       limits.push_back(fmt::format("The books do not close: energy {:.1e}, oxygen {:.1e}.",
                                    balance.energy_relative, balance.oxygen_relative));
-    limits.push_back(
-        "Particles are taken as isothermal; at Biot numbers above 0.1 this overstates "
-        "the exchange (see biot_max).");
+    if (!c.models.conduction || c.models.conduction->shells == 1)
+      limits.push_back(
+          "Particles are taken as isothermal; at Biot numbers above 0.1 this overstates "
+          "the exchange (see biot_max).");
   }
   return limits;
 }

@@ -97,7 +97,8 @@ void Simulation::move(const Interval& interval) {
 }
 
 // While the bed moves, after a stated time; at rest, when the bed has just come to rest, a wall has
-// come or gone, or an emissivity has changed by a stated amount.
+// come or gone, or an emissivity has changed much; where it has changed a little, factors are
+// scaled.
 void Simulation::retrace_if_due(const Interval& interval) {
   if (!case_.models.radiation) return;
   const RadiationModel& model = *case_.models.radiation;
@@ -108,11 +109,15 @@ void Simulation::retrace_if_due(const Interval& interval) {
                               : traced < state_.settled_at || !std::isfinite(traced);
   for (const Surface& surface : case_.walls.surfaces)
     due = due || is_present(surface, traced) != is_present(surface, state_.time);
-  if (!interval.moves() && !due)
-    due = coupling::emissivity_change(case_, nodes_, state_) > model.emissivity_change;
+  if (interval.moves() && !due) return;
+  const auto now = coupling::emissivities(case_, nodes_, state_);
+  due = due || coupling::largest_change(now, state_.exchange.traced_emissivity) >
+                   model.emissivity_change_traced;
   if (due)
     state_.exchange = coupling::retrace(case_, nodes_, state_,
                                         interval.moves() ? model.rays_moving : model.rays_settled);
+  else if (coupling::largest_change(now, state_.exchange.emissivity) > model.emissivity_change)
+    coupling::rescale(case_, nodes_, state_);
 }
 
 void Simulation::exchange_heat(const Interval& interval) {

@@ -219,6 +219,7 @@ Check jacobian() {
   for (std::size_t k = 0; k < y.size(); ++k) v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
   coupling::Evaluation at;
   coupling::Linearisation linear(system);
+  coupling::evaluate(system, 1.0, y, at);
   linear.fix(1.0, y, at);
   linear.product(v, product);
   const auto rates = [&](double sign, std::vector<double>& out) {

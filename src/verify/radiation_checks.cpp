@@ -203,8 +203,8 @@ void add_concentric(std::vector<Check>& checks) {
   const double expected = a1 / (1.0 / e1 + a1 / a2 * (1.0 / e2 - 1.0));
   checks.push_back({"radiation.exchange.concentric",
                     "G of concentric grey spheres, radii 1 and 2, emissivities 0.6 and 0.3",
-                    traced.exchange.factor.value.at(0), expected,
-                    factor_tolerance(expected, e1 * a1, rays), "m2",
+                    traced.factor.value.at(0), expected, factor_tolerance(expected, e1 * a1, rays),
+                    "m2",
                     "Christiansen: A1/(1/e1 + A1/A2 (1/e2 - 1)); 4 standard errors of one way"});
 }
 
@@ -223,12 +223,12 @@ void add_spherical_cavity(std::vector<Check>& checks) {
   const double expected = e1 * area[0] * e2 * area[1] / (e1 * area[0] + e2 * area[1]);
   checks.push_back({"radiation.exchange.cavity",
                     "G of two zones of a spherical cavity, the third re-radiates (emissivity 0)",
-                    traced.exchange.factor.value.at(0), expected,
+                    traced.factor.value.at(0), expected,
                     factor_tolerance(expected, e1 * area[0], rays), "m2",
                     "closed form, uniform irradiation of a spherical cavity (D): "
                     "E1 E2/(E1 + E2), E = eps A; 4 standard errors of one way"});
   checks.push_back({"radiation.exchange.cavity_rays", "Rays given up in the cavity",
-                    traced.exchange.unfinished, 0.0, 0.0, "1", "every ray is absorbed in the end"});
+                    traced.unfinished, 0.0, 0.0, "1", "every ray is absorbed in the end"});
 }
 
 // --- Beds
@@ -367,7 +367,7 @@ void add_matrix(std::vector<Check>& checks) {
   std::vector<double> emissivity(n + 2, 0.8), area(n + 2, sphere_area(0.5));
   area[n] = area_of_all(walls);
   const auto traced = trace({spheres, walls, emissivity, area, n + 2, 10.0, seed, 0});
-  const Csr& g = traced.exchange.factor;
+  const Csr& g = traced.factor;
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> place;
   double heat = 0.0;  // [W] largest net heat of a node of the isothermal bed
   const double power = stefan_boltzmann * std::pow(1273.0, 4);

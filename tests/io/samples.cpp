@@ -47,7 +47,9 @@ Exchange random_exchange(Filler& filler, std::size_t nodes) {
     exchange.factor.start.push_back(exchange.factor.start.back() + i % 4);
   filler.set(exchange.factor.column, exchange.factor.start.back());
   filler.set(exchange.factor.value, exchange.factor.start.back());
+  filler.set(exchange.self, nodes);
   filler.set(exchange.emissivity, nodes);
+  filler.set(exchange.traced_emissivity, nodes);
   filler.set(exchange.rays);
   filler.set(exchange.relative_error);
   filler.set(exchange.row_sum_error);

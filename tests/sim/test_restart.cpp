@@ -2,6 +2,8 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "case/case.hpp"
 #include "folder.hpp"
@@ -67,4 +69,27 @@ TEST_CASE("The books of a whole run close, and no particle is lost") {
   CHECK(balance.lost == 0);
   CHECK(simulation.state().fluxes.oxygen_released > 0.0);
   CHECK(io::read_series(folder.path).rows() > 50);
+}
+
+TEST_CASE(
+    "With shells in the particles the books close, and a stopped run goes on with the same bits") {
+  const std::vector<std::string> sets{"models.conduction={shells=3}"};
+  const Case c = casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml", sets);
+  const Folder whole("shells"), stopped("shells_stopped");
+  sim::Simulation simulation(c, whole.path);
+  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  const sim::Balance balance = sim::close_books(c, simulation.state());
+  CHECK(balance.energy_relative < sim::energy_limit);
+  CHECK(balance.oxygen_relative < sim::oxygen_limit);
+  const Shells& shells = simulation.state().shells;
+  REQUIRE(shells.enthalpy.size() == 3 * 140);
+  CHECK(shells.enthalpy[0] != shells.enthalpy[140]);  // the outer shell is not the next one
+  {
+    std::atomic<bool> stop{false};
+    sim::Simulation first(c, stopped.path);
+    first.run(stop, [&](const sim::Simulation& now) { stop = now.state().interval >= 30; });
+  }
+  sim::Simulation second(c, stopped.path, io::load_checkpoint(stopped.path));
+  REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+  CHECK(io::state_hash(second.state()) == io::state_hash(simulation.state()));
 }
