@@ -1,9 +1,6 @@
 #include "radiation/sampling.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "pmr/base/constants.hpp"
 
 namespace pmr::radiation {
 namespace {

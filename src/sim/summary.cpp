@@ -294,7 +294,7 @@ void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   if (const auto sections = instruments::decompose(in.setup, in.state.particles))
     summary["homogeneity"] = homogeneity_of(in, *sections);
   if (has_heat(in.setup)) add_heat(in, summary);
-  if (in.setup.conductivity && in.status == "completed")
+  if (in.setup.conductivity && in.status == "completed" && in.state.particles.size() > 1)
     summary["effective_conductivity"] = conductivity_of(in);
   summary["books"] = books_of(in);
   summary["lost_particles"] = lost_of(in.state);
