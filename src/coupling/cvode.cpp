@@ -2,7 +2,6 @@
 
 #include <cvodes/cvodes.h>
 #include <fmt/format.h>
-#include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
@@ -10,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <memory>
 
+#include "coupling/vectors.hpp"
 #include "pmr/base/errors.hpp"
 
 namespace pmr::coupling {
@@ -27,12 +26,6 @@ constexpr int newton_iterations = 6;  // at most
 constexpr double divergence = 2.0;    // [1] a correction that grows by more is given up
 
 constexpr int krylov_space = 30;  // vectors kept by SPGMR; no restart needed in practice
-
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
-
-Vector make_vector(std::vector<double>& data, SUNContext context) {
-  return {N_VMake_Serial(static_cast<sunindextype>(data.size()), data.data(), context), N_VDestroy};
-}
 
 Out view(N_Vector v) { return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))}; }
 
@@ -195,8 +188,9 @@ OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0
 
   const Solver solver(frame, y_vector.get(), t0, context);
   Solver::require(CVodeQuadInit(solver.get(), quadrature, integral_vector.get()), "CVodeQuadInit");
-  // Error control of the quadratures is on, with a tolerance that never binds: without it CVODES 6.4
-  // forgets their last correction where the order rises, and the integrals part from the solution.
+  // Error control of the quadratures is on, with a tolerance that never binds: without it
+  // CVODES 6.4 forgets their last correction where the order rises, and the integrals part from the
+  // solution.
   Solver::require(CVodeSetQuadErrCon(solver.get(), SUNTRUE), "CVodeSetQuadErrCon");
   Solver::require(CVodeQuadSStolerances(solver.get(), 0.0, 1e100), "CVodeQuadSStolerances");
   Solver::require(CVodeSetStopTime(solver.get(), t1), "CVodeSetStopTime");

@@ -1,4 +1,5 @@
 // The right-hand side of the network: temperatures, heat flows, reaction, gas.
+#include <Eigen/Core>
 #include <cmath>
 
 #include "chemistry/chamber.hpp"
@@ -60,21 +61,13 @@ void find_temperatures(const System& system, std::span<const double> y, Evaluati
 
 // Q_i = sum_j w_ij (T_j - T_i) + sum_j G_ij (sigma T_j^4 - sigma T_i^4), gathered row by row.
 void gather_heat(const System& system, Evaluation& at) {
-  const Csr& w = system.conductance;
+  const std::vector<double>&T = at.temperature, &E = at.emission;
   const Csr* g = system.exchange;
-  parallel_for(w.rows(), [&](std::size_t i) {
-    double heat = 0.0;
-    const auto columns = w.columns(i);
-    const auto values = w.values(i);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      heat += values[k] * (at.temperature[columns[k]] - at.temperature[i]);
-    if (g != nullptr && i < g->rows()) {
-      const auto partners = g->columns(i);
-      const auto factors = g->values(i);
-      for (std::size_t k = 0; k < partners.size(); ++k)
-        heat += factors[k] * (at.emission[partners[k]] - at.emission[i]);
-    }
-    at.heat[i] = heat;
+  parallel_for(system.conductance.rows(), [&](std::size_t i) {
+    at.heat[i] = sum_row(system.conductance, i,
+                         [&](std::uint32_t j, double w) { return w * (T[j] - T[i]); });
+    if (g != nullptr && i < g->rows())
+      at.heat[i] += sum_row(*g, i, [&](std::uint32_t j, double G) { return G * (E[j] - E[i]); });
   });
 }
 
@@ -115,15 +108,16 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate) {
   parallel_for(system.nodes->solids(),
                [&](std::size_t id) { rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0; });
-  double oxygen = 0.0, oxygen_heat = 0.0;  // [mol/s], [W] given to the gas
-  for (std::size_t k = 0; k < system.reactants.size(); ++k) {
-    const Reactant& grain = system.reactants[k];
-    const double heat = at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
-    rate[grain.id] -= heat;
-    rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.iron;
-    oxygen += at.release[k];
-    oxygen_heat += heat;
-  }
+  // [mol/s], [W] given to the gas
+  const Eigen::Vector2d given =
+      parallel_sum(system.reactants.size(), Eigen::Vector2d(0.0, 0.0), [&](std::size_t k) {
+        const Reactant& grain = system.reactants[k];
+        const double heat =
+            at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
+        rate[grain.id] -= heat;
+        rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.iron;
+        return Eigen::Vector2d(at.release[k], heat);
+      });
   for (const WallProfile& wall : system.profiles) {
     const std::size_t cells = wall.conductance.size();
     physics::column_rates(system.nodes->columns[wall.surface], {wall.area, at.heat[wall.node]},
@@ -132,10 +126,10 @@ void fill_rates(const System& system, const Evaluation& at, std::span<double> ra
   }
   if (!system.closed) return;
   const GasRates& g = at.gas;
-  rate[system.gas_begin()] = oxygen - g.oxygen_pumped + g.oxygen_leaked;
+  rate[system.gas_begin()] = given[0] - g.oxygen_pumped + g.oxygen_leaked;
   rate[system.gas_begin() + 1] = g.nitrogen_leaked - g.nitrogen_pumped;
   rate[system.gas_begin() + 2] =
-      oxygen_heat - g.energy_pumped + g.energy_leaked + at.heat[system.nodes->gas()];
+      given[1] - g.energy_pumped + g.energy_leaked + at.heat[system.nodes->gas()];
 }
 
 }  // namespace pmr::coupling

@@ -93,19 +93,17 @@ void add_walls(const System& system, const Evaluation& at, Fluxes& rates) {
   }
 }
 
-void add_reaction(const System& system, const Evaluation& at, std::span<const double> y,
-                  Fluxes& rates) {
-  for (std::size_t k = 0; k < system.reactants.size(); ++k) {
-    const Reactant& grain = system.reactants[k];
-    const auto& equilibrium = system.solid[grain.id].material->redox->equilibrium;
-    const double release = at.release[k];
-    rates.oxygen_released += release;
-    rates.reaction +=
-        2.0 * release * chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
-    if (system.closed) continue;
-    rates.oxygen_to_air += release;
-    rates.gas_energy_out += release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
-  }
+void sort_reaction(const System& system, const Evaluation& at, std::span<const double> y,
+                   std::size_t k, Fluxes& rates) {
+  const Reactant& grain = system.reactants[k];
+  const auto& equilibrium = system.solid[grain.id].material->redox->equilibrium;
+  const double release = at.release[k];
+  rates.oxygen_released += release;
+  rates.reaction +=
+      2.0 * release * chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
+  if (system.closed) return;
+  rates.oxygen_to_air += release;
+  rates.gas_energy_out += release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
 }
 
 void add_gas(const GasRates& gas, Fluxes& rates) {
@@ -129,7 +127,9 @@ Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const do
            sort_all(system, kind, system.exchange->rows(),
                     [&](std::size_t a, Sorter& sorter) { sort_radiation(system, at, a, sorter); }));
   add_walls(system, at, rates);
-  add_reaction(system, at, y, rates);
+  add_to(rates, sort_all(system, kind, system.reactants.size(), [&](std::size_t k, Sorter& sorter) {
+           sort_reaction(system, at, y, k, sorter.rates);
+         }));
   if (system.closed) add_gas(at.gas, rates);
   const Nodes& nodes = *system.nodes;
   rates.heat_exchanged = parallel_sum(nodes.particles, [&](std::size_t id) {

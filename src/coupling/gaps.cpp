@@ -1,6 +1,7 @@
 #include "coupling/gaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/motion.hpp"
 #include "physics/neighbours.hpp"
@@ -9,11 +10,12 @@
 namespace pmr::coupling {
 namespace {
 
-void find_between_particles(const Particles& p, double reach, std::vector<Gap>& gaps) {
+void find_between_particles(const Nodes& nodes, const Particles& p, double reach,
+                            std::vector<Gap>& gaps) {
   for (const auto& pair : physics::pairs_within(p, reach)) {
-    const bool in_order = p.id[pair.i] < p.id[pair.j];
-    const std::uint32_t a = in_order ? pair.i : pair.j, b = in_order ? pair.j : pair.i;
-    gaps.push_back({p.id[a], p.id[b], a, b, pair.gap});
+    const Node i = nodes.particle(p.id[pair.i]), j = nodes.particle(p.id[pair.j]);
+    gaps.push_back(i < j ? Gap{i, j, pair.i, pair.j, pair.gap}
+                         : Gap{j, i, pair.j, pair.i, pair.gap});
   }
 }
 
@@ -62,8 +64,8 @@ void find_at_walls(const Case& c, const Nodes& nodes, const State& state, double
     const Surface& surface = c.walls.surfaces[foot.surface];
     if (std::holds_alternative<Adiabatic>(surface.thermal)) continue;
     const std::uint32_t patch = nodes.first_patch[foot.surface] + patch_at(surface, foot.body);
-    found.push_back({p.id[i], nodes.patch(patch), static_cast<std::uint32_t>(i), patch,
-                     foot.distance - p.radius[i]});
+    found.push_back({nodes.particle(p.id[i]), nodes.patch(patch), static_cast<std::uint32_t>(i),
+                     patch, foot.distance - p.radius[i]});
   }
 }
 
@@ -74,7 +76,7 @@ Gaps find_gaps(const Case& c, const Nodes& nodes, const State& state) {
   gaps.found_at = state.time;
   if (!c.models.conduction) return gaps;
   const double reach = c.models.conduction->gap ? c.models.conduction->gap_reach : 0.0;
-  find_between_particles(state.particles, reach, gaps.all);
+  find_between_particles(nodes, state.particles, reach, gaps.all);
   std::vector<std::vector<Gap>> found(state.particles.size());
   parallel_for(found.size(),
                [&](std::size_t i) { find_at_walls(c, nodes, state, reach, i, found[i]); });
@@ -85,6 +87,7 @@ Gaps find_gaps(const Case& c, const Nodes& nodes, const State& state) {
 }
 
 bool walls_stand(const Case& c, const Gaps& gaps, double now) {
+  if (!std::isfinite(gaps.found_at)) return false;
   const physics::Box everywhere{c.domain_low, c.domain_high};
   return std::all_of(c.walls.surfaces.begin(), c.walls.surfaces.end(), [&](const Surface& surface) {
     const bool was_there = is_present(surface, gaps.found_at);

@@ -24,7 +24,8 @@ struct Side {
 struct Context {
   const Case& kase;
   const ConductionModel& model;
-  Atmosphere gas;
+  const Outlook& outlook;
+  const Atmosphere& gas;
 };
 
 double jump(const Context& context, const Side& side, double T) {
@@ -65,8 +66,10 @@ HeatLink link(const Context& context, const Side& one, const Side& two, double g
   return result;
 }
 
-Side side_of(const Case& c, const Particles& p, std::size_t i) {
-  return {&c.materials.list[c.species[p.species[i]].material], p.radius[i], p.temperature[i]};
+Side side_of(const Context& context, const Particles& p, std::size_t i) {
+  const Case& c = context.kase;
+  return {&c.materials.list[c.species[p.species[i]].material], p.radius[i],
+          context.outlook.temperature[i]};
 }
 
 // Links across the gaps of the bed, in their order.
@@ -74,16 +77,16 @@ std::vector<HeatLink> link_gaps(const Context& context, const Nodes& nodes, cons
                                 const Gaps& gaps) {
   const Case& c = context.kase;
   const Particles& p = state.particles;
-  const auto faces = patch_temperatures(c, nodes, state.walls);
+  const auto faces = patch_temperatures(c, nodes, context.outlook.walls);
   const auto other_side = [&](const Gap& gap) {
-    if (gap.b < nodes.solids()) return side_of(c, p, gap.other);
+    if (gap.b < nodes.solids()) return side_of(context, p, gap.other);
     const Surface& surface = c.walls.surfaces[nodes.patches[gap.other].surface];
     return Side{&c.materials.list[surface.material], physics::plane_wall, faces[gap.other]};
   };
   std::vector<HeatLink> links(gaps.all.size());
   parallel_for(links.size(), [&](std::size_t k) {
     const Gap& gap = gaps.all[k];
-    links[k] = link(context, side_of(c, p, gap.particle), other_side(gap), gap.width);
+    links[k] = link(context, side_of(context, p, gap.particle), other_side(gap), gap.width);
     links[k].a = gap.a;
     links[k].b = gap.b;
   });
@@ -100,8 +103,9 @@ void link_shells(const Context& context, const Nodes& nodes, const State& state,
     return k == 0 ? 1.0 : std::cbrt((parts - static_cast<double>(k) - 0.5) / parts);
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double k_solid = physics::conductivity(side_of(context.kase, p, i).material->conductivity,
-                                                 p.temperature[i], context.gas.pressure);
+    const double k_solid =
+        physics::conductivity(side_of(context, p, i).material->conductivity,
+                              context.outlook.temperature[i], context.gas.pressure);
     for (std::size_t k = 0; k + 1 < nodes.shells; ++k) {
       const double outer = radius(k), inner = radius(k + 1);
       links.push_back({nodes.shell(p.id[i], k), nodes.shell(p.id[i], k + 1),
@@ -132,7 +136,8 @@ void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector
   const double top = top_of_bed(p);
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.position[i].z() > top - largest)
-      links.push_back({p.id[i], nodes.gas(), 0.0, film * pi * p.radius[i] * p.radius[i]});
+      links.push_back(
+          {nodes.particle(p.id[i]), nodes.gas(), 0.0, film * pi * p.radius[i] * p.radius[i]});
   if (!state.gas.closed) return;
   for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
     const Surface& surface = c.walls.surfaces[nodes.patches[k].surface];
@@ -144,10 +149,10 @@ void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector
 }  // namespace
 
 std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
-                              const Gaps& gaps) {
+                              const Gaps& gaps, const Outlook& outlook) {
   std::vector<HeatLink> links, others;
   if (c.models.conduction) {
-    const Context context{c, *c.models.conduction, atmosphere(c, state)};
+    const Context context{c, *c.models.conduction, outlook, outlook.gas};
     links = link_gaps(context, nodes, state, gaps);
     link_shells(context, nodes, state, others);
   }

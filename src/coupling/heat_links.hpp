@@ -4,6 +4,7 @@
 
 #include "coupling/gaps.hpp"
 #include "coupling/nodes.hpp"
+#include "coupling/outlook.hpp"
 #include "pmr/base/csr.hpp"
 
 namespace pmr::coupling {
@@ -23,11 +24,11 @@ inline bool comes_before(const HeatLink& one, const HeatLink& two) {
 Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes);
 
 // Links of the bed as it lies, in order: across its gaps, from shell to shell, bed top and walls to
-// the gas. Gas properties at the mean temperature of each pair and the pressure of the moment.
+// the gas. Properties at the outlook's temperatures, of the gas at the mean of each pair.
 std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
-                              const Gaps& gaps);
+                              const Gaps& gaps, const Outlook& outlook);
 inline std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state) {
-  return conduct(c, nodes, state, find_gaps(c, nodes, state));
+  return conduct(c, nodes, state, find_gaps(c, nodes, state), look_ahead(c, state, 0.0));
 }
 
 }  // namespace pmr::coupling

@@ -13,8 +13,9 @@ namespace {
 std::vector<double> row_sums(const Csr* matrix, std::size_t rows) {
   std::vector<double> sums(rows, 0.0);
   if (matrix != nullptr)
-    for (std::size_t i = 0; i < matrix->rows(); ++i)
+    parallel_for(matrix->rows(), [&](std::size_t i) {
       for (const double value : matrix->values(i)) sums[i] += value;
+    });
   return sums;
 }
 
@@ -111,17 +112,15 @@ void Linearisation::temperature_changes(std::span<const double> v,
         Vec3(v[system_.gas_begin()], v[system_.gas_begin() + 1], v[system_.gas_begin() + 2]));
 }
 
-double Linearisation::heat_change(std::size_t i, const std::vector<double>& change) const {
-  double heat = -conduction_sum_[i] * change[i];
-  const auto columns = system_.conductance.columns(i);
-  const auto values = system_.conductance.values(i);
-  for (std::size_t k = 0; k < columns.size(); ++k) heat += values[k] * change[columns[k]];
-  if (system_.exchange == nullptr || i >= system_.exchange->rows()) return heat;
-  heat -= exchange_sum_[i] * emission_slope_[i] * change[i];
-  const auto partners = system_.exchange->columns(i);
-  const auto factors = system_.exchange->values(i);
-  for (std::size_t k = 0; k < partners.size(); ++k)
-    heat += factors[k] * emission_slope_[partners[k]] * change[partners[k]];
+double Linearisation::heat_change(std::size_t i, const std::vector<double>& change,
+                                  const std::vector<double>& emission_change) const {
+  double heat =
+      sum_row(system_.conductance, i, [&](std::uint32_t j, double w) { return w * change[j]; }) -
+      conduction_sum_[i] * change[i];
+  const Csr* g = system_.exchange;
+  if (g == nullptr || i >= g->rows()) return heat;
+  heat += sum_row(*g, i, [&](std::uint32_t j, double G) { return G * emission_change[j]; }) -
+          exchange_sum_[i] * emission_change[i];
   return heat;
 }
 
@@ -155,16 +154,19 @@ Linearisation::Mat32 Linearisation::gas_slopes(const Reaction& r) const {
 }
 
 void Linearisation::product(std::span<const double> v, std::span<double> jv) const {
-  std::vector<double> change, heat(system_.nodes->count());
+  std::vector<double> change, heat(system_.nodes->count()), emission_change(heat.size());
   temperature_changes(v, change);
-  parallel_for(heat.size(), [&](std::size_t i) { heat[i] = heat_change(i, change); });
-  for (std::size_t id = 0; id < capacity_.size(); ++id)
-    jv[id] = system_.stores[id] != 0 ? heat[id] : 0.0;
+  parallel_for(heat.size(),
+               [&](std::size_t i) { emission_change[i] = emission_slope_[i] * change[i]; });
+  parallel_for(heat.size(),
+               [&](std::size_t i) { heat[i] = heat_change(i, change, emission_change); });
+  parallel_for(capacity_.size(),
+               [&](std::size_t id) { jv[id] = system_.stores[id] != 0 ? heat[id] : 0.0; });
   const std::size_t gas = system_.gas_begin();
   const Vec3 dgas = system_.closed ? Vec3(v[gas], v[gas + 1], v[gas + 2]) : Vec3(Vec3::Zero());
   const double pressure = pressure_row_.dot(dgas);
   Vec3 to_gas = gas_jacobian_ * dgas;
-  for (std::size_t k = 0; k < reactions_.size(); ++k) {
+  to_gas += parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
     const Reaction& r = reactions_[k];
     const double dT = change[r.id];
     const double release =
@@ -172,8 +174,8 @@ void Linearisation::product(std::span<const double> v, std::span<double> jv) con
     const double energy = release * r.oxygen_heat + r.release * r.oxygen_capacity * dT;
     jv[r.id] -= energy;
     jv[system_.delta_begin() + k] = 2.0 * release / r.iron;
-    to_gas += Vec3(release, 0.0, energy);
-  }
+    return Vec3(release, 0.0, energy);
+  });
   wall_product(heat, v, jv);
   if (!system_.closed) return;
   to_gas[2] += heat[system_.nodes->gas()];

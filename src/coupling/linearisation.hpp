@@ -38,7 +38,9 @@ class Linearisation {
 
   void fix_gas(double t, std::span<const double> y);
   void temperature_changes(std::span<const double> v, std::vector<double>& change) const;
-  double heat_change(std::size_t node, const std::vector<double>& change) const;
+  // [W] that a node receives by changes of temperature [K] and of emission [W/m2] of all.
+  double heat_change(std::size_t node, const std::vector<double>& change,
+                     const std::vector<double>& emission_change) const;
   void wall_product(const std::vector<double>& heat, std::span<const double> v,
                     std::span<double> jv) const;
   Mat32 gas_slopes(const Reaction& r) const;  // d(n_O2, n_N2, U rates)/d(H, delta)

@@ -11,6 +11,7 @@
 #include "coupling/thermal_state.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/parallel.hpp"
 
 namespace pmr::coupling {
 namespace {
@@ -21,11 +22,12 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
                                const Evaluation& at) {
   const NetworkModel& model = c.models.network;
   std::vector<double> atol(system.size(), 1.0);
-  for (std::size_t id = 0; id < system.solid.size(); ++id)
+  parallel_for(system.solid.size(), [&](std::size_t id) {
     if (system.stores[id] != 0)
       atol[id] =
           model.temperature_tolerance *
           chemistry::heat_capacity(system.solid[id], at.temperature[id], delta_of(system, y, id));
+  });
   for (std::size_t k = 0; k < system.reactants.size(); ++k)
     atol[system.delta_begin() + k] = model.delta_tolerance;
   for (const WallProfile& wall : system.profiles) {
@@ -46,8 +48,9 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
 void weigh(const System& system, double relative, const std::vector<double>& absolute, In y,
            Out weight) {
   const double alone = std::sqrt(static_cast<double>(y.size()));
-  for (std::size_t k = 0; k < y.size(); ++k)
+  parallel_for(y.size(), [&](std::size_t k) {
     weight[k] = (k < system.gas_begin() ? 1.0 : alone) / (relative * std::abs(y[k]) + absolute[k]);
+  });
 }
 
 std::vector<double> as_vector(Fluxes fluxes) {
@@ -90,9 +93,9 @@ class Looked {
 
 }  // namespace
 
-NetworkWork advance_network(const Case& c, const Nodes& nodes, std::vector<HeatLink> links,
-                            double from, double until, State& state) {
-  const System system = assemble_system(c, nodes, state, std::move(links));
+NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& outlook,
+                            std::vector<HeatLink> links, double from, double until, State& state) {
+  const System system = assemble_system(c, nodes, state, outlook, std::move(links));
   std::vector<double> y = pack(system, state);
   if (y.empty()) return {};
   Looked looked(system);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "coupling/tessellate.hpp"
+#include "physics/neighbours.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::coupling {
@@ -37,6 +38,16 @@ Nodes number_nodes(const Case& c, std::size_t particles) {
     }
   }
   return nodes;
+}
+
+void number_in_space(const Particles& particles, Nodes& nodes) {
+  constexpr Node none = std::numeric_limits<Node>::max();
+  nodes.place.assign(nodes.particles, none);
+  Node next = 0;
+  for (const std::uint32_t i : physics::spatial_order(particles))
+    nodes.place[particles.id[i]] = next++;
+  for (Node& node : nodes.place)
+    if (node == none) node = next++;
 }
 
 std::uint32_t patch_at(const Surface& surface, const Vec3& point) {

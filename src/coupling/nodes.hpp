@@ -1,6 +1,6 @@
-// Numbers the nodes of the heat network, once per run: particles by id (or rather their outermost
-// shells, then the next ones, likewise, and so on), then wall patches, then the surroundings, then
-// the gas of the chamber (or the open air before it is closed).
+// Numbers the nodes of the heat network: particles (or rather their outermost shells, then the next
+// ones, likewise, and so on), then wall patches, then the surroundings, then the gas of the chamber
+// (or the open air before it is closed).
 #pragma once
 #include <cstdint>
 #include <string>
@@ -24,6 +24,7 @@ struct Patch {
 
 struct Nodes {
   std::size_t particles = 0;  // inserted
+  std::vector<Node> place;    // by particle id: its node; empty: the id itself
   std::size_t shells = 1;     // of each
   std::vector<Patch> patches;
   std::vector<std::uint32_t> first_patch;    // per surface
@@ -31,7 +32,12 @@ struct Nodes {
   std::size_t cells = 0;                     // of all patches
 
   std::size_t solids() const { return particles * shells; }
-  Node shell(ParticleId id, std::size_t k) const { return static_cast<Node>(id + k * particles); }
+  Node particle(ParticleId id) const { return place.empty() ? id : place[id]; }
+  Node shell(ParticleId id, std::size_t k) const {
+    return static_cast<Node>(particle(id) + k * particles);
+  }
+  // Where State::shells keeps it.
+  std::size_t kept(ParticleId id, std::size_t k) const { return id + k * particles; }
   Node patch(std::size_t k) const { return static_cast<Node>(solids() + k); }
   Node surroundings() const { return static_cast<Node>(solids() + patches.size()); }
   Node gas() const { return surroundings() + 1; }
@@ -39,7 +45,11 @@ struct Nodes {
   std::size_t count() const { return radiating() + 1; }
 };
 
-Nodes number_nodes(const Case& c, std::size_t particles);
+Nodes number_nodes(const Case& c, std::size_t particles);  // particles by id
+
+// Numbers the particles of a bed at rest by where they lie, neighbours close to each other: most of
+// what a row of the network refers to is then at hand. Those that were lost come last.
+void number_in_space(const Particles& particles, Nodes& nodes);
 
 // Local index of the patch that holds `point` [m] of the surface, in the body's frame; numbered as
 // tessellate() does.

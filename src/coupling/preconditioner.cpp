@@ -62,15 +62,15 @@ void Linearisation::factor_gas(double gamma) {
   // The gas by itself, its own heat loss included.
   Mat3 schur = Mat3::Identity() - gamma * gas_jacobian_;
   schur.row(2) += gamma * conduction_sum_[system_.nodes->gas()] * temperature_row_.transpose();
-  Vec3 answer = Vec3::Zero();  // what the bed gives off per pressure, its own reply included
-  for (std::size_t k = 0; k < reactions_.size(); ++k) {
+  // What the bed gives off per pressure, its own reply included.
+  const Vec3 answer = parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
     const Reaction& r = reactions_[k];
     const Eigen::Vector2d push(gamma * r.by_pressure * r.oxygen_heat,
                                -gamma * 2.0 / r.iron * r.by_pressure);
     const Block& b = blocks_[k];
     const Eigen::Vector2d reply(b.a * push[0] + b.b * push[1], b.c * push[0] + b.d * push[1]);
-    answer += Vec3(-r.by_pressure, 0.0, -r.by_pressure * r.oxygen_heat) + gas_slopes(r) * reply;
-  }
+    return Vec3(Vec3(-r.by_pressure, 0.0, -r.by_pressure * r.oxygen_heat) + gas_slopes(r) * reply);
+  });
   schur += gamma * answer * pressure_row_.transpose();
   gas_inverse_ = schur.inverse();
 }
@@ -82,12 +82,12 @@ void Linearisation::precondition(std::span<const double> r, std::span<double> z)
   double pressure = 0.0;
   if (system_.closed) {
     dgas = Vec3(r[gas], r[gas + 1], r[gas + 2]);
-    for (std::size_t k = 0; k < reactions_.size(); ++k) {
-      const Block& b = blocks_[k];
-      const double h = r[reactions_[k].id], d = r[delta + k];
-      dgas += gamma_ *
-              (gas_slopes(reactions_[k]) * Eigen::Vector2d(b.a * h + b.b * d, b.c * h + b.d * d));
-    }
+    dgas += gamma_ * parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
+              const Block& b = blocks_[k];
+              const double h = r[reactions_[k].id], d = r[delta + k];
+              return Vec3(gas_slopes(reactions_[k]) *
+                          Eigen::Vector2d(b.a * h + b.b * d, b.c * h + b.d * d));
+            });
     dgas = gas_inverse_ * dgas;
     pressure = pressure_row_.dot(dgas);
     for (std::size_t k = 0; k < 3; ++k) z[gas + k] = dgas[static_cast<Eigen::Index>(k)];

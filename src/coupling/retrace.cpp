@@ -14,10 +14,10 @@
 namespace pmr::coupling {
 namespace {
 
-std::vector<radiation::Sphere> spheres_of(const Particles& p) {
+std::vector<radiation::Sphere> spheres_of(const Nodes& nodes, const Particles& p) {
   std::vector<radiation::Sphere> spheres;
   for (std::size_t i = 0; i < p.size(); ++i)
-    spheres.push_back({p.position[i], p.radius[i], p.id[i]});
+    spheres.push_back({p.position[i], p.radius[i], nodes.particle(p.id[i])});
   return spheres;
 }
 
@@ -39,7 +39,8 @@ std::vector<radiation::Triangle> walls_now(const Case& c, const Nodes& nodes, do
 std::vector<double> areas_of(const Case& c, const Nodes& nodes, const State& state) {
   std::vector<double> area(nodes.radiating(), 0.0);
   const Particles& p = state.particles;
-  for (std::size_t i = 0; i < p.size(); ++i) area[p.id[i]] = 4.0 * pi * p.radius[i] * p.radius[i];
+  for (std::size_t i = 0; i < p.size(); ++i)
+    area[nodes.particle(p.id[i])] = 4.0 * pi * p.radius[i] * p.radius[i];
   for (std::size_t k = 0; k < nodes.patches.size(); ++k)
     if (is_present(c.walls.surfaces[nodes.patches[k].surface], state.time))
       area[nodes.patch(k)] = nodes.patches[k].area;
@@ -67,12 +68,14 @@ Exchange to_neighbours(const Nodes& nodes, const State& state, std::vector<doubl
     neighbours[pair.j] += 1.0;
   }
   const auto share = [&](std::size_t i) {  // [m2]
-    return emissivity[p.id[i]] * area[p.id[i]] / neighbours[i];
+    const Node node = nodes.particle(p.id[i]);
+    return emissivity[node] * area[node] / neighbours[i];
   };
   std::vector<HeatLink> links;
-  for (const auto& pair : pairs)
-    links.push_back({std::min(p.id[pair.i], p.id[pair.j]), std::max(p.id[pair.i], p.id[pair.j]),
-                     0.5 * (share(pair.i) + share(pair.j)), 0.0});
+  for (const auto& pair : pairs) {
+    const auto [a, b] = std::minmax({nodes.particle(p.id[pair.i]), nodes.particle(p.id[pair.j])});
+    links.push_back({a, b, 0.5 * (share(pair.i) + share(pair.j)), 0.0});
+  }
   std::sort(links.begin(), links.end(), comes_before);
   Exchange exchange;
   exchange.factor = symmetric_rows(links, nodes.radiating());
@@ -87,7 +90,7 @@ std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State&
   std::vector<double> emissivity(nodes.radiating(), 0.0);
   const Particles& p = state.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
-    emissivity[p.id[i]] =
+    emissivity[nodes.particle(p.id[i])] =
         c.materials.list[c.species[p.species[i]].material].emissivity(p.temperature[i], p.delta[i]);
   const auto faces = patch_temperatures(c, nodes, state.walls);
   for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
@@ -99,12 +102,22 @@ std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State&
   return emissivity;
 }
 
-double largest_change(const std::vector<double>& now, const std::vector<double>& then) {
+double mean_change(const Case& c, const Nodes& nodes, const State& state,
+                   const std::vector<double>& now, const std::vector<double>& then) {
   if (then.size() != now.size()) return std::numeric_limits<double>::infinity();
-  double change = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    change = std::max(change, std::abs(now[i] - then[i]));
-  return change;
+  const std::vector<double> area = areas_of(c, nodes, state);
+  double change = 0.0, emission = 0.0;  // [W/sigma]
+  const auto add = [&](std::size_t node, double T) {
+    const double weight = area[node] * now[node] * T * T * T * T;
+    if (!(weight > 0.0)) return;
+    change += weight * std::abs(now[node] - then[node]);
+    emission += weight;
+  };
+  const Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) add(nodes.particle(p.id[i]), p.temperature[i]);
+  const auto faces = patch_temperatures(c, nodes, state.walls);
+  for (std::size_t k = 0; k < nodes.patches.size(); ++k) add(nodes.patch(k), faces[k]);
+  return emission > 0.0 ? change / emission : 0.0;
 }
 
 void rescale(const Case& c, const Nodes& nodes, State& state) {
@@ -123,7 +136,7 @@ Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double r
   if (c.models.radiation->law == RadiationLaw::environment) {
     exchange = to_neighbours(nodes, state, std::move(emissivity), area);
   } else {
-    const auto spheres = spheres_of(state.particles);
+    const auto spheres = spheres_of(nodes, state.particles);
     const auto triangles = walls_now(c, nodes, state.time);
     exchange = radiation::trace({spheres, triangles, std::move(emissivity), std::move(area),
                                  static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,

@@ -12,8 +12,10 @@ namespace pmr::coupling {
 // surroundings.
 std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State& state);
 
-// Largest change of any emissivity [1]; infinite if there was nothing then.
-double largest_change(const std::vector<double>& now, const std::vector<double>& then);
+// Mean change of the emissivity [1], each node weighed by what it emits, eps A sigma T^4: how far
+// the factors are off. Infinite if there were none then.
+double mean_change(const Case& c, const Nodes& nodes, const State& state,
+                   const std::vector<double>& now, const std::vector<double>& then);
 
 // Brings the exchange factors to the emissivities of the moment without a new tracing.
 void rescale(const Case& c, const Nodes& nodes, State& state);

@@ -18,12 +18,13 @@ void list_particles(const Case& c, const State& state, System& system) {
   system.delta.assign(nodes.solids(), 0.0);
   std::vector<std::uint32_t> place(nodes.particles, System::no_reactant);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    place[p.id[i]] = static_cast<std::uint32_t>(i);
+    place[nodes.particle(p.id[i])] = static_cast<std::uint32_t>(i);
     for (std::size_t k = 0; k < nodes.shells; ++k) {
       const Node node = nodes.shell(p.id[i], k);
       system.solid[node] = solid_of(c, p, i);
       system.solid[node].amount /= parts;
-      system.delta[node] = nodes.shells > 1 ? state.shells.delta[node] : p.delta[i];
+      system.delta[node] =
+          nodes.shells > 1 ? state.shells.delta[nodes.kept(p.id[i], k)] : p.delta[i];
       system.stores[node] = 1;
       system.held_temperature[node] = p.temperature[i];  // first guess of the inversion
     }
@@ -38,7 +39,7 @@ void list_particles(const Case& c, const State& state, System& system) {
   }
 }
 
-void list_profiles(const Case& c, const State& state, double pressure, System& system) {
+void list_profiles(const Case& c, const Outlook& outlook, System& system) {
   const Nodes& nodes = *system.nodes;
   for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
     const Patch& patch = nodes.patches[k];
@@ -50,10 +51,11 @@ void list_profiles(const Case& c, const State& state, double pressure, System& s
     WallProfile profile{nodes.patch(k), patch.surface, patch.first_cell, patch.area, {}};
     std::vector<double> temperature(column.size());
     profile.conductance.resize(column.size());
-    physics::column_temperatures(column, patch.area,
-                                 {state.walls.cell_energy.data() + patch.first_cell, column.size()},
-                                 temperature);
-    physics::column_conductances(column, c.materials, pressure, temperature, profile.conductance);
+    physics::column_temperatures(
+        column, patch.area, {outlook.walls.cell_energy.data() + patch.first_cell, column.size()},
+        temperature);
+    physics::column_conductances(column, c.materials, outlook.gas.pressure, temperature,
+                                 profile.conductance);
     system.stores[nodes.patch(k)] = 1;
     system.profiles.push_back(std::move(profile));
   }
@@ -62,7 +64,7 @@ void list_profiles(const Case& c, const State& state, double pressure, System& s
 }  // namespace
 
 System assemble_system(const Case& c, const Nodes& nodes, const State& state,
-                       std::vector<HeatLink> links) {
+                       const Outlook& outlook, std::vector<HeatLink> links) {
   System system;
   system.kase = &c;
   system.nodes = &nodes;
@@ -75,7 +77,7 @@ System assemble_system(const Case& c, const Nodes& nodes, const State& state,
   if (c.models.radiation)
     system.held_temperature[nodes.surroundings()] = c.models.radiation->surroundings;
   list_particles(c, state, system);
-  list_profiles(c, state, air.pressure, system);
+  list_profiles(c, outlook, system);
   system.closed = state.gas.closed;
   system.stores[nodes.gas()] = system.closed ? 1 : 0;
   system.free_volume = system.closed ? gas_free_volume(c, state.particles) : 0.0;
@@ -90,7 +92,7 @@ std::vector<double> pack(const System& system, const State& state) {
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t k = 0; k < nodes.shells; ++k) {
       const Node node = nodes.shell(p.id[i], k);
-      y[node] = nodes.shells > 1 ? state.shells.enthalpy[node] : p.enthalpy[i];
+      y[node] = nodes.shells > 1 ? state.shells.enthalpy[nodes.kept(p.id[i], k)] : p.enthalpy[i];
       const std::uint32_t reactant = system.reactant_of[node];
       if (reactant != System::no_reactant) y[system.delta_begin() + reactant] = system.delta[node];
     }
@@ -115,12 +117,12 @@ void unpack(const System& system, std::span<const double> y, State& state) {
       enthalpy += y[node];
       delta += delta_of(system, y, node);
       if (nodes.shells == 1) continue;
-      state.shells.enthalpy[node] = y[node];
-      state.shells.delta[node] = delta_of(system, y, node);
+      state.shells.enthalpy[nodes.kept(p.id[i], k)] = y[node];
+      state.shells.delta[nodes.kept(p.id[i], k)] = delta_of(system, y, node);
     }
     p.enthalpy[i] = enthalpy;
     p.delta[i] = delta / parts;
-    chemistry::Solid whole = system.solid[p.id[i]];
+    chemistry::Solid whole = system.solid[nodes.particle(p.id[i])];
     whole.amount *= parts;
     p.temperature[i] = chemistry::temperature(whole, enthalpy, p.delta[i], p.temperature[i]);
   });

@@ -63,8 +63,9 @@ inline double delta_of(const System& system, std::span<const double> y, std::siz
   return k == System::no_reactant ? system.delta[id] : y[system.delta_begin() + k];
 }
 
+// Walls conduct as they will in the outlook.
 System assemble_system(const Case& c, const Nodes& nodes, const State& state,
-                       std::vector<HeatLink> links);
+                       const Outlook& outlook, std::vector<HeatLink> links);
 
 std::vector<double> pack(const System& system, const State& state);
 void unpack(const System& system, std::span<const double> y, State& state);

@@ -30,8 +30,8 @@ void begin_walls(const Nodes& nodes, WallNodes& walls) {
 void begin_shells(const Nodes& nodes, const Particles& p, Shells& shells) {
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t k = 0; k < nodes.shells; ++k) {
-      shells.enthalpy[nodes.shell(p.id[i], k)] = p.enthalpy[i] / static_cast<double>(nodes.shells);
-      shells.delta[nodes.shell(p.id[i], k)] = p.delta[i];
+      shells.enthalpy[nodes.kept(p.id[i], k)] = p.enthalpy[i] / static_cast<double>(nodes.shells);
+      shells.delta[nodes.kept(p.id[i], k)] = p.delta[i];
     }
 }
 

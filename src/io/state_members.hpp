@@ -59,7 +59,7 @@ template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, elastic_energy,
          network_step, particles, waiting, pair_contacts, wall_contacts, walls, shells, gas,
-         exchange, fluxes, opening, extremes, lost] = state;
+         exchange, trend, fluxes, opening, extremes, lost] = state;
   visit("time", "s", time);
   visit("phase", "1", phase);
   visit("step", "1", step);
@@ -74,6 +74,11 @@ void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [shell_enthalpy, shell_delta] = shells;
   visit("shells/enthalpy", "J", shell_enthalpy);
   visit("shells/delta", "1", shell_delta);
+  auto& [trend_length, trend_ln_pressure, warming, heating] = trend;
+  visit("trend/length", "s", trend_length);
+  visit("trend/ln_pressure", "1", trend_ln_pressure);
+  visit("trend/warming", "K", warming);
+  visit("trend/heating", "J", heating);
   for_each_exchange_field(exchange, visit);
   for_each_book_field(state, visit);
 }

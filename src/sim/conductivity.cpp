@@ -94,6 +94,7 @@ struct Bench {
         nodes(coupling::number_nodes(c, s.opening.particles)),
         tool(*c.conductivity) {
     hold_plates(tool.temperatures.front());
+    coupling::number_in_space(state.particles, nodes);
     gaps = coupling::find_gaps(setup, nodes, state);
   }
 
@@ -125,16 +126,18 @@ struct Bench {
 };
 
 // Slope dT/dz [K/m] of a least-squares line through the particles of the core's height.
-double slope(const Particles& p, const Core& core, const std::vector<double>& temperature) {
+double slope(const Bench& bench, const Core& core, const std::vector<double>& temperature) {
+  const Particles& p = bench.state.particles;
   double n = 0.0, z = 0.0, T = 0.0, zz = 0.0, zT = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double at = p.position[i].z();
     if (at < core.low || at > core.high) continue;
     n += 1.0;
     z += at;
-    T += temperature[p.id[i]];
+    const double there = temperature[bench.nodes.particle(p.id[i])];
+    T += there;
     zz += at * at;
-    zT += at * temperature[p.id[i]];
+    zT += at * there;
   }
   return (n * zT - z * T) / (n * zz - z * z);
 }
@@ -146,8 +149,8 @@ BedConductivity flux_densities(const Bench& bench, const Core& core,
                                const std::vector<coupling::HeatLink>& links,
                                const std::vector<double>& temperature) {
   const Particles& p = bench.state.particles;
-  std::vector<Vec3> place(bench.nodes.particles);  // by id
-  for (std::size_t i = 0; i < p.size(); ++i) place[p.id[i]] = p.position[i];
+  std::vector<Vec3> place(bench.nodes.particles);  // by node
+  for (std::size_t i = 0; i < p.size(); ++i) place[bench.nodes.particle(p.id[i])] = p.position[i];
   const auto lever = [&](std::size_t a, std::size_t b) {
     if (a >= place.size() || b >= place.size()) return 0.0;
     return (place[a].z() - place[b].z()) * core.part_inside(place[a], place[b]) / core.volume();
@@ -204,10 +207,11 @@ BedConductivities measure_conductivity(const Case& c, const State& state) {
     bench.set_temperature(T);
     for (const double pressure : bench.tool.pressures) {
       bench.setup.chamber->pressure = pressure;
-      const auto links = coupling::conduct(bench.setup, bench.nodes, bench.state, bench.gaps);
+      const auto links = coupling::conduct(bench.setup, bench.nodes, bench.state, bench.gaps,
+                                           coupling::look_ahead(bench.setup, bench.state, 0.0));
       const auto temperature = bench.solve(T, links);
       BedConductivity point = flux_densities(bench, core, links, temperature);
-      const double gradient = slope(state.particles, core, temperature);
+      const double gradient = slope(bench, core, temperature);
       point.contact /= gradient;
       point.gap /= gradient;
       point.radiation /= gradient;

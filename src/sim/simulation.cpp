@@ -5,6 +5,7 @@
 
 #include "chemistry/chamber.hpp"
 #include "coupling/heat_links.hpp"
+#include "coupling/outlook.hpp"
 #include "coupling/retrace.hpp"
 #include "coupling/thermal_state.hpp"
 #include "physics/insertion.hpp"
@@ -48,12 +49,14 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
       entries_(physics::entries(c)),
       nodes_(coupling::number_nodes(c, state_.opening.particles)),
       recorder_(case_, nodes_, std::move(dir)) {
+  if (state_.phase == Phase::react) coupling::number_in_space(state_.particles, nodes_);
   recorder_.start_from(state_);
 }
 
 // Heat, books and the first record of a run that begins.
 void Simulation::open() {
   nodes_ = coupling::number_nodes(case_, state_.particles.size() + state_.waiting.size());
+  if (state_.phase == Phase::react) coupling::number_in_space(state_.particles, nodes_);
   coupling::begin_thermal_state(case_, nodes_, state_);
   recorder_.start_from(state_);
   recorder_.record(state_, true);
@@ -74,7 +77,15 @@ void Simulation::step() {
   const bool phase_ended =
       schedule_.move_on(state_, is_pouring ? std::numeric_limits<double>::infinity()
                                            : physics::rms_speed(state_.particles));
+  if (phase_ended && state_.phase == Phase::react) settle();
   recorder_.record(state_, interval.takes_snapshot || phase_ended);
+}
+
+// The bed lies now: neighbours get neighbouring nodes, and what named the old ones goes.
+void Simulation::settle() {
+  coupling::number_in_space(state_.particles, nodes_);
+  state_.exchange = {};
+  gaps_ = {};
 }
 
 // Particles that are due come in; exchange factors are traced anew with them.
@@ -97,7 +108,7 @@ void Simulation::move(const Interval& interval) {
 }
 
 // While the bed moves, after a stated time; at rest, when the bed has just come to rest, a wall has
-// come or gone, or an emissivity has changed much; where it has changed a little, factors are
+// come or gone, or emissivities have changed much; where they have changed a little, factors are
 // scaled.
 void Simulation::retrace_if_due(const Interval& interval) {
   if (!case_.models.radiation) return;
@@ -106,31 +117,37 @@ void Simulation::retrace_if_due(const Interval& interval) {
   const double traced = state_.exchange.traced_at;
   const double rounding = 0.5 * mechanics_.time_step();  // [s]
   bool due = interval.moves() ? state_.time - traced >= model.retrace_interval - rounding
-                              : traced < state_.settled_at || !std::isfinite(traced);
+                              : !std::isfinite(traced);
   for (const Surface& surface : case_.walls.surfaces)
     due = due || is_present(surface, traced) != is_present(surface, state_.time);
   if (interval.moves() && !due) return;
   const auto now = coupling::emissivities(case_, nodes_, state_);
-  due = due || coupling::largest_change(now, state_.exchange.traced_emissivity) >
-                   model.emissivity_change_traced;
+  const auto change = [&](const std::vector<double>& then) {
+    return coupling::mean_change(case_, nodes_, state_, now, then);
+  };
+  due = due || change(state_.exchange.traced_emissivity) > model.emissivity_change_traced;
   if (due)
     state_.exchange = coupling::retrace(case_, nodes_, state_,
                                         interval.moves() ? model.rays_moving : model.rays_settled);
-  else if (coupling::largest_change(now, state_.exchange.emissivity) > model.emissivity_change)
+  else if (change(state_.exchange.emissivity) > model.emissivity_change)
     coupling::rescale(case_, nodes_, state_);
 }
 
 void Simulation::exchange_heat(const Interval& interval) {
+  const double length = interval.end - interval.begin;
+  const auto outlook = coupling::look_ahead(case_, state_, 0.5 * length);
   auto links = [&] {
     const StageTimer timer(timings_, "conduction");
     if (interval.moves() || !coupling::walls_stand(case_, gaps_, state_.time))
       gaps_ = coupling::find_gaps(case_, nodes_, state_);
-    return coupling::conduct(case_, nodes_, state_, gaps_);
+    return coupling::conduct(case_, nodes_, state_, gaps_, outlook);
   }();
   const StageTimer timer(timings_, "network");
   const double pressure = coupling::atmosphere(case_, state_).pressure;
-  const auto work = coupling::advance_network(case_, nodes_, std::move(links), interval.begin,
-                                              interval.end, state_);
+  const coupling::TrendWatch watch(case_, state_);
+  const auto work = coupling::advance_network(case_, nodes_, outlook, std::move(links),
+                                              interval.begin, interval.end, state_);
+  watch.set(case_, length, state_);
   watch_set_point(interval, pressure);
   work_.steps += work.steps;
   work_.rate_calls += work.rate_calls;

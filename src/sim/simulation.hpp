@@ -44,6 +44,7 @@ class Simulation {
 
  private:
   void open();
+  void settle();
   void pour();
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);

@@ -211,9 +211,9 @@ Check jacobian() {
   scene.add(Vec3(1.4e-3, 0, 0), 1000.0);
   scene.begin();
   coupling::close_chamber(scene.setup, scene.state);
-  const coupling::System system =
-      coupling::assemble_system(scene.setup, scene.nodes, scene.state,
-                                {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
+  const coupling::System system = coupling::assemble_system(
+      scene.setup, scene.nodes, scene.state, coupling::look_ahead(scene.setup, scene.state, 0.0),
+      {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
   const auto y = coupling::pack(system, scene.state);
   std::vector<double> v(y.size()), product(y.size()), up(y.size()), down(y.size());
   for (std::size_t k = 0; k < y.size(); ++k) v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);

@@ -81,7 +81,8 @@ void ThermalScene::begin() {
 }
 
 void ThermalScene::advance(double dt, std::vector<coupling::HeatLink> links) {
-  coupling::advance_network(setup, nodes, std::move(links), state.time, state.time + dt, state);
+  coupling::advance_network(setup, nodes, coupling::look_ahead(setup, state, 0.0), std::move(links),
+                            state.time, state.time + dt, state);
   state.time += dt;
 }
 

@@ -89,6 +89,10 @@ State random_state(std::size_t particles, std::uint64_t seed) {
   filler.set(state.walls.cell_energy, 17);
   filler.set(state.shells.enthalpy, 2 * particles);
   filler.set(state.shells.delta, 2 * particles);
+  filler.set(state.trend.length);
+  filler.set(state.trend.ln_pressure);
+  filler.set(state.trend.warming, particles + 1);
+  filler.set(state.trend.heating, 17);
   state.exchange = random_exchange(filler, particles + 5);
   fill_books(filler, state);
   state.lost = {{4, -0.25, Vec3(1.0, -0.0, 1e-310)}, {2, 0.5, Vec3(-3.0, 2.0, 1.0 / 3.0)}};

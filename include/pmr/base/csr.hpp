@@ -22,4 +22,22 @@ struct Csr {
   }
 };
 
+// Sum over a row's entries of term(column, value), in four chains that do not wait for each other.
+template <class Term>
+double sum_row(const Csr& matrix, std::size_t row, const Term& term) {
+  const std::uint32_t* column = matrix.column.data();
+  const double* value = matrix.value.data();
+  std::uint64_t k = matrix.start[row];
+  const std::uint64_t end = matrix.start[row + 1];
+  double a = 0.0, b = 0.0, c = 0.0, d = 0.0;
+  for (; k + 4 <= end; k += 4) {
+    a += term(column[k], value[k]);
+    b += term(column[k + 1], value[k + 1]);
+    c += term(column[k + 2], value[k + 2]);
+    d += term(column[k + 3], value[k + 3]);
+  }
+  for (; k < end; ++k) a += term(column[k], value[k]);
+  return (a + b) + (c + d);
+}
+
 }  // namespace pmr

@@ -38,18 +38,22 @@ void parallel_for(std::size_t count, const Body& body, std::size_t block = block
       block);
 }
 
-// Sum over i of term(i), with the same bits on any number of threads.
-template <class Term>
-double parallel_sum(std::size_t count, const Term& term) {
-  std::vector<double> partial((count + block_size - 1) / block_size, 0.0);
+// zero + the sum over i of term(i), with the same bits on any number of threads.
+template <class Value, class Term>
+Value parallel_sum(std::size_t count, const Value& zero, const Term& term) {
+  std::vector<Value> partial((count + block_size - 1) / block_size, zero);
   parallel_blocks(count, [&](std::size_t first, std::size_t last) {
-    double sum = 0.0;
+    Value sum = zero;
     for (std::size_t i = first; i < last; ++i) sum += term(i);
     partial[first / block_size] = sum;
   });
-  double total = 0.0;
-  for (const double p : partial) total += p;
+  Value total = zero;
+  for (const Value& p : partial) total += p;
   return total;
+}
+template <class Term>
+double parallel_sum(std::size_t count, const Term& term) {
+  return parallel_sum(count, 0.0, term);
 }
 
 // Largest term(i), at least `floor`.

@@ -148,9 +148,9 @@ struct RadiationModel {
   double rays_moving;        // [1] per smallest particle, while the bed moves
   double rays_settled;       // [1] per smallest particle, settled bed
   double retrace_interval;   // [s] while moving
-  double emissivity_change;  // [1] settled: factors are scaled when any node changed by more ...
+  double emissivity_change;  // [1] settled: factors are scaled at this mean change ...
   double surroundings;       // [K] temperature where rays leave the rig
-  double emissivity_change_traced = 0.05;  // [1] ... and traced anew when by this since the tracing
+  double emissivity_change_traced = 0.05;  // [1] ... and traced anew at this one since the tracing
   RadiationLaw law = RadiationLaw::traced;
 };
 struct NetworkModel {

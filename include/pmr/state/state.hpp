@@ -98,6 +98,14 @@ void for_each_flux(F& f, Visitor&& visit) {
   visit("dissipated", "J", f.dissipated);
 }
 
+// What changed over the last interval of the network; what the next one's coefficients expect.
+struct Trend {
+  double length = 0.0;          // [s] of that interval; 0: there was none
+  double ln_pressure = 0.0;     // [1] change of ln p of the gas
+  std::vector<double> warming;  // [K] of each particle, by id
+  std::vector<double> heating;  // [J] of each wall cell
+};
+
 struct LostParticle {
   ParticleId id;
   double time;    // [s]
@@ -135,6 +143,7 @@ struct State {
   Shells shells;
   Gas gas;
   Exchange exchange;
+  Trend trend;
   Fluxes fluxes;
   Opening opening;
   Extremes extremes;
