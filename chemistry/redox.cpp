@@ -102,9 +102,8 @@ double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) 
 
 double reduction_heat(const RedoxEquilibrium& eq, double delta) {
   // Integral of atan(u) over delta is F(u)/s with F = u atan(u) - ln(1 + u^2)/2.
-  const auto F = [](double u) { return u * std::atan(u) - 0.5 * std::log1p(u * u); };
-  const double atan_part =
-      (F(reduced_delta(eq, delta)) - F(reduced_delta(eq, 0.0))) / (pi * eq.steepness);
+  const double u = reduced_delta(eq, delta);
+  const double atan_part = (u * std::atan(u) - 0.5 * std::log1p(u * u)) / (pi * eq.steepness);
   return eq.enthalpy_minimum * delta + enthalpy_span(eq) * (0.5 * delta + atan_part);
 }
 

@@ -25,7 +25,7 @@ double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta);
 // x = ln(delta/(limit - delta)), in which the equation is nearly linear, inside a bracket.
 double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure);
 
-// H(delta) [J/mol Fe]: exact integral of dh from 0, so that H(d2) - H(d1) is the heat taken up.
+// H(delta) [J/mol Fe]: exact integral of dh, up to a constant; H(d2) - H(d1) is the heat taken up.
 double reduction_heat(const RedoxEquilibrium& eq, double delta);
 
 double molar_mass(const Redox& redox, double delta);  // [kg/mol Fe]

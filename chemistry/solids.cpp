@@ -36,11 +36,15 @@ HeatPoint inert_heat(const Material& material, double T) {
   return {molar.enthalpy / law->molar_mass, molar.heat_capacity / law->molar_mass};
 }
 
-// Per mol Fe, without H(delta), which does not depend on T.
-HeatPoint sensible_heat(const Material& material, double T, double delta) {
+HeatCurve ferrite_curve(const Material& material) {
   const auto* law = std::get_if<FerriteHeat>(&material.heat);
   ensure(law != nullptr, "a redox material's heat law is FerriteHeat");
-  const HeatPoint base = evaluate(curve_of(*law), T);
+  return curve_of(*law);
+}
+
+// Per mol Fe, without H(delta), which does not depend on T.
+HeatPoint sensible_heat(const HeatCurve& ferrite, double T, double delta) {
+  const HeatPoint base = evaluate(ferrite, T);
   const HeatPoint gas = oxygen_heat(T);
   const double oxygen = 0.5 * (0.5 - delta);  // [mol O2/mol Fe] above ABO2.5
   return {base.enthalpy + oxygen * gas.enthalpy, base.heat_capacity + oxygen * gas.heat_capacity};
@@ -61,11 +65,11 @@ double specific_enthalpy(const Material& material, double T) {
 }
 
 double molar_heat_capacity(const Material& material, double T, double delta) {
-  return sensible_heat(material, T, delta).heat_capacity;
+  return sensible_heat(ferrite_curve(material), T, delta).heat_capacity;
 }
 
 double molar_enthalpy(const Material& material, double T, double delta) {
-  return sensible_heat(material, T, delta).enthalpy +
+  return sensible_heat(ferrite_curve(material), T, delta).enthalpy +
          reduction_heat(material.redox->equilibrium, delta);
 }
 
@@ -96,8 +100,9 @@ double temperature(const Solid& solid, double energy, double delta, double guess
         per_amount, guess, [&](double T) { return inert_heat(material, T); },
         material.name.c_str());
   const double bound = reduction_heat(material.redox->equilibrium, delta);
+  const HeatCurve ferrite = ferrite_curve(material);
   return solve_temperature(
-      per_amount - bound, guess, [&](double T) { return sensible_heat(material, T, delta); },
+      per_amount - bound, guess, [&](double T) { return sensible_heat(ferrite, T, delta); },
       material.name.c_str());
 }
 

@@ -84,7 +84,7 @@ NetworkModel read_network(Table& models) {
   Table table(models.reading(), node == nullptr ? defaults : *node, models.path("network"));
   NetworkModel network{};
   network.relative_tolerance =
-      table.value("relative_tolerance", {Dimension::none, {0, 0.1, true}}, 1.0e-5);
+      table.value("relative_tolerance", {Dimension::none, {0, 0.1, true}}, 1.0e-4);
   network.temperature_tolerance =
       table.value("temperature_tolerance", {Dimension::temperature_difference, positive}, 1.0e-3);
   network.delta_tolerance = table.value("delta_tolerance", {Dimension::none, {0, 0.1, true}}, 1e-6);

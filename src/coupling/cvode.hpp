@@ -18,6 +18,8 @@ struct OdeProblem {
   std::function<bool(double t, In y, Out rate)> quadrature;
   std::function<void(double t, In y)> linearise;  // fixes J(y) for `product` and `prepare`
   std::function<void(In v, Out jv)> product;      // J v
+  // Mends an approximate solution x of (I - gamma J) x = b where its sums must hold exactly.
+  std::function<void(double gamma, In b, Out x)> keep_sums;
   std::function<void(double gamma)> prepare;      // P = I - gamma J, approximately
   std::function<void(In r, Out z)> precondition;  // z = P^-1 r
   std::function<void(In y, Out weight)> weigh;    // 1/tolerance of each unknown

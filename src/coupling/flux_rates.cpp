@@ -74,14 +74,20 @@ void sort_link(const System& system, const Evaluation& at, std::size_t k, Sorter
   sorter.add(link.a, link.b, link.gap * fall, sorter.rates.gap);
 }
 
-// Of the two halves of the matrix the one above the diagonal.
-void sort_radiation(const System& system, const Evaluation& at, std::size_t a, Sorter& sorter) {
-  const auto columns = system.exchange->columns(a);
-  const auto factors = system.exchange->values(a);
-  const auto above = std::upper_bound(columns.begin(), columns.end(), a) - columns.begin();
-  for (auto k = static_cast<std::size_t>(above); k < columns.size(); ++k)
-    sorter.add(a, columns[k], factors[k] * (at.emission[a] - at.emission[columns[k]]),
-               sorter.rates.radiation);
+// Each pair of factors once: at its inert particle, if it is one with a reacting particle; at the
+// particle, if it is one with a wall or the surroundings; else above the diagonal.
+void sort_radiation(const System& system, const Evaluation& at, const std::vector<double>& is_redox,
+                    std::size_t a, Sorter& sorter) {
+  const Csr& g = *system.exchange;
+  const std::size_t solids = system.nodes->solids();
+  const std::vector<double>& E = at.emission;
+  const auto columns = g.columns(a);
+  const auto factors = g.values(a);
+  for (std::size_t k = columns.size(); k-- > 0 && columns[k] >= std::max(a, solids);)
+    sorter.add(a, columns[k], factors[k] * (E[a] - E[columns[k]]), sorter.rates.radiation);
+  if (sorter.kind[a] == Kind::inert)
+    sorter.rates.radiation +=
+        sum_row(g, a, [&](std::uint32_t j, double G) { return G * is_redox[j] * (E[a] - E[j]); });
 }
 
 void add_walls(const System& system, const Evaluation& at, Fluxes& rates) {
@@ -122,10 +128,15 @@ Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const do
   parallel_for(kind.size(), [&](std::size_t node) { kind[node] = kind_of(system, node); });
   Fluxes rates = sort_all(system, kind, system.links.size(),
                           [&](std::size_t k, Sorter& sorter) { sort_link(system, at, k, sorter); });
-  if (system.exchange != nullptr)
+  if (system.exchange != nullptr) {
+    std::vector<double> is_redox(kind.size());  // [1] as a factor
+    parallel_for(kind.size(),
+                 [&](std::size_t node) { is_redox[node] = kind[node] == Kind::redox ? 1.0 : 0.0; });
     add_to(rates,
-           sort_all(system, kind, system.exchange->rows(),
-                    [&](std::size_t a, Sorter& sorter) { sort_radiation(system, at, a, sorter); }));
+           sort_all(system, kind, system.exchange->rows(), [&](std::size_t a, Sorter& sorter) {
+             sort_radiation(system, at, is_redox, a, sorter);
+           }));
+  }
   add_walls(system, at, rates);
   add_to(rates, sort_all(system, kind, system.reactants.size(), [&](std::size_t k, Sorter& sorter) {
            sort_reaction(system, at, y, k, sorter.rates);

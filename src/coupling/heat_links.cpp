@@ -28,9 +28,13 @@ struct Context {
   const Atmosphere& gas;
 };
 
-double jump(const Context& context, const Side& side, double T) {
-  return chemistry::jump_length(context.gas.oxygen_fraction, T, context.gas.pressure,
-                                side.material->accommodation);
+// At both sides together [m].
+double jumps(const Context& context, const Side& one, const Side& two, double T) {
+  const double x = context.gas.oxygen_fraction;
+  const double path = chemistry::mean_free_path(x, T, context.gas.pressure);
+  const double gamma = chemistry::heat_capacity_ratio(x, T);
+  return chemistry::jump_length(path, gamma, one.material->accommodation) +
+         chemistry::jump_length(path, gamma, two.material->accommodation);
 }
 
 double contact_factor(const ConductionModel& model) {
@@ -62,7 +66,7 @@ HeatLink link(const Context& context, const Side& one, const Side& two, double g
       {one.radius, two.radius, physics::true_distance(one.radius, two.radius, soft), radius,
        context.model.bed_solid_fraction},
       {k1, k2, chemistry::gas_conductivity(context.gas.oxygen_fraction, T),
-       jump(context, one, T) + jump(context, two, T)});
+       jumps(context, one, two, T)});
   return result;
 }
 

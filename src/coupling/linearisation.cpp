@@ -14,8 +14,21 @@ std::vector<double> row_sums(const Csr* matrix, std::size_t rows) {
   std::vector<double> sums(rows, 0.0);
   if (matrix != nullptr)
     parallel_for(matrix->rows(), [&](std::size_t i) {
-      for (const double value : matrix->values(i)) sums[i] += value;
+      sums[i] = sum_row(*matrix, i, [](std::uint32_t, double value) { return value; });
     });
+  return sums;
+}
+
+// Of the entries in the columns of reservoirs. Particles don't count as such.
+std::vector<double> reservoir_sums(const System& system, const Csr* matrix) {
+  std::vector<double> sums(system.nodes->count(), 0.0);
+  if (matrix == nullptr) return sums;
+  parallel_for(matrix->rows(), [&](std::size_t i) {
+    const auto columns = matrix->columns(i);
+    const auto values = matrix->values(i);
+    for (std::size_t k = columns.size(); k-- > 0 && columns[k] >= system.nodes->solids();)
+      if (system.stores[columns[k]] == 0) sums[i] += values[k];
+  });
   return sums;
 }
 
@@ -31,6 +44,8 @@ Linearisation::Linearisation(const System& system)
     : system_(system),
       conduction_sum_(row_sums(&system.conductance, system.nodes->count())),
       exchange_sum_(row_sums(system.exchange, system.nodes->count())),
+      conduction_out_(reservoir_sums(system, &system.conductance)),
+      exchange_out_(reservoir_sums(system, system.exchange)),
       emission_slope_(system.nodes->count()),
       capacity_(system.nodes->solids(), 1.0),
       cell_capacity_(system.nodes->cells, 1.0),
@@ -43,6 +58,7 @@ Linearisation::Linearisation(const System& system)
 }
 
 void Linearisation::fix(double t, std::span<const double> y, const Evaluation& at) {
+  sums_gamma_ = 0.0;
   parallel_for(emission_slope_.size(), [&](std::size_t i) {
     const double T = at.temperature[i];
     emission_slope_[i] = 4.0 * stefan_boltzmann * T * T * T;

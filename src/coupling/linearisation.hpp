@@ -21,6 +21,10 @@ class Linearisation {
   void product(std::span<const double> v, std::span<double> jv) const;
   void prepare(double gamma);  // [s] factorises P at the fixed point
   void precondition(std::span<const double> r, std::span<double> z) const;
+  // Moves x, an approximate solution of (I - gamma J) x = b, by a little warmth and a little oxygen
+  // of all particles and a little oxygen of the gas, so that the three sums of the books hold
+  // exactly: what is left of the residual never shows there, however few Krylov iterations it took.
+  void keep_sums(double gamma, std::span<const double> b, std::span<double> x);
 
  private:
   // Slopes of one reactant's release n [mol/s], of temperature and enthalpy.
@@ -35,7 +39,12 @@ class Linearisation {
     double a, b, c, d;  // rows of the inverse of the 2 x 2 block
   };
   using Mat32 = Eigen::Matrix<double, 3, 2>;
+  using Sums = Vec3;  // of energy [J], of oxygen in the solids and in the gas [mol]
 
+  Sums sums(std::span<const double> v) const;
+  Sums sums_of_product(std::span<const double> v) const;  // of J v: flows over the border only
+
+  void prepare_sums(double gamma);
   void fix_gas(double t, std::span<const double> y);
   void temperature_changes(std::span<const double> v, std::vector<double>& change) const;
   // [W] that a node receives by changes of temperature [K] and of emission [W/m2] of all.
@@ -50,6 +59,7 @@ class Linearisation {
 
   const System& system_;
   std::vector<double> conduction_sum_, exchange_sum_;  // [W/K], [m2] row sums by node
+  std::vector<double> conduction_out_, exchange_out_;  // [W/K], [m2] likewise, to reservoirs alone
   std::vector<double> emission_slope_;                 // [W/m2/K] 4 sigma T^3 by node
   std::vector<double> capacity_;                       // [J/K] by particle id
   std::vector<double> cell_capacity_;                  // [J/K] by wall cell
@@ -62,6 +72,9 @@ class Linearisation {
   std::vector<Block> blocks_;            // by reactant
   std::vector<double> wall_lower_, wall_pivot_, wall_upper_;  // LU of the columns, by cell
   Mat3 gas_inverse_ = Mat3::Identity();                       // of the Schur complement
+  double sums_gamma_ = 0.0;                    // [s] that sums_inverse_ stands for; 0: none
+  std::vector<double> warmth_, bound_, free_;  // three small moves, as unknowns
+  Mat3 sums_inverse_ = Mat3::Identity();       // of the sums' answers to them
 };
 
 }  // namespace pmr::coupling

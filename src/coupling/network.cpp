@@ -123,6 +123,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
     fixed = looked.times();
   };
   problem.product = [&](In v, Out jv) { linear.product(v, jv); };
+  problem.keep_sums = [&](double gamma, In b, Out x) { linear.keep_sums(gamma, b, x); };
   problem.prepare = [&](double gamma) { linear.prepare(gamma); };
   problem.precondition = [&](In r, Out z) { linear.precondition(r, z); };
   const std::vector<double> absolute = tolerances(c, system, y, looked.at());

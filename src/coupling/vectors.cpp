@@ -1,5 +1,7 @@
 #include "coupling/vectors.hpp"
 
+#include <nvector/nvector_serial.h>
+
 #include <cmath>
 #include <cstddef>
 
@@ -57,9 +59,8 @@ realtype weighted_rms(N_Vector x, N_Vector w) {
 
 }  // namespace
 
-Vector make_vector(std::vector<double>& data, SUNContext context) {
-  Vector v(N_VMake_Serial(static_cast<sunindextype>(data.size()), data.data(), context),
-           N_VDestroy);
+N_Vector make_vector(std::vector<double>& data, SUNContext context) {
+  N_Vector v = N_VMake_Serial(static_cast<sunindextype>(data.size()), data.data(), context);
   v->ops->nvlinearsum = linear_sum;
   v->ops->nvconst = fill;
   v->ops->nvscale = scale;

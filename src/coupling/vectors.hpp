@@ -1,17 +1,16 @@
 // SUNDIALS vectors whose operations run on all cores, block by block: sums have the same bits on
 // any number of threads, which SUNDIALS' own OpenMP and pthreads vectors don't promise.
 #pragma once
-#include <nvector/nvector_serial.h>
-
-#include <memory>
-#include <type_traits>
 #include <vector>
+
+// SUNDIALS' own names of N_Vector and SUNContext, whose headers stay out of ours.
+struct _generic_N_Vector;
+struct _SUNContext;
 
 namespace pmr::coupling {
 
-using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
-
-// A view of `data`, which must outlive it. Its clones work likewise, on data of their own.
-Vector make_vector(std::vector<double>& data, SUNContext context);
+// A view of `data`, which must outlive it; the caller destroys it. Clones work likewise, on data of
+// their own.
+_generic_N_Vector* make_vector(std::vector<double>& data, _SUNContext* context);
 
 }  // namespace pmr::coupling

@@ -202,18 +202,82 @@ Check isothermal_box() {
           "second law; symmetric exchange makes it exact but for rounding"};
 }
 
+// Two granules that react, a link between them and one to the gas.
+struct ReactingPair {
+  explicit ReactingPair(bool closed) : scene(with_chamber()) {
+    scene.add(Vec3(0, 0, 0), 1100.0);
+    scene.add(Vec3(1.4e-3, 0, 0), 1000.0);
+    scene.begin();
+    if (closed) coupling::close_chamber(scene.setup, scene.state);
+    system = coupling::assemble_system(scene.setup, scene.nodes, scene.state,
+                                       coupling::look_ahead(scene.setup, scene.state, 0.0),
+                                       {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
+  }
+  static Case with_chamber() {
+    Case c = redox_case(0.735e-3);
+    c.chamber =
+        ChamberCase{0.0, 5e-7, 5000.0, 0.21, 900.0, 0.0, Pump{0.0, 1e-8, 10.0, 1000.0}, 0.0};
+    return c;
+  }
+  ThermalScene scene;
+  coupling::System system;
+};
+
+// Sums over a vector of unknowns: energy [J], oxygen in the solids and in the gas [mol].
+Vec3 sums_of(const coupling::System& system, const std::vector<double>& v) {
+  Vec3 sums = Vec3::Zero();
+  for (std::size_t k = 0; k < system.solid.size(); ++k) sums[0] += v[k];
+  for (std::size_t k = 0; k < system.reactants.size(); ++k)
+    sums[1] -= 0.5 * system.reactants[k].iron * v[system.delta_begin() + k];
+  if (system.closed) {
+    sums[0] += v[system.gas_begin() + 2];
+    sums[2] += v[system.gas_begin()];
+  }
+  return sums;
+}
+
+// A poor solution of (I - gamma J) x = b, mended: its sums by the product itself.
+Check kept_sums(bool closed) {
+  const ReactingPair pair(closed);
+  const coupling::System& system = pair.system;
+  const auto y = coupling::pack(system, pair.scene.state);
+  const double gamma = 0.3;  // [s]
+  coupling::Evaluation at;
+  coupling::Linearisation linear(system);
+  coupling::evaluate(system, 1.0, y, at);
+  linear.fix(1.0, y, at);
+  std::vector<double> b(y.size()), x(y.size()), product(y.size());
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    b[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
+    x[k] = 1e-5 * y[k] * (k % 3 == 0 ? 0.4 : 0.9);
+  }
+  const auto worst_sum = [&] {
+    linear.product(x, product);
+    std::vector<double> held = x;
+    for (std::size_t k = 0; k < held.size(); ++k) held[k] -= gamma * product[k];
+    const Vec3 wanted = sums_of(system, b);
+    double worst = 0.0;
+    for (Eigen::Index k = 0; k < (closed ? 3 : 2); ++k)
+      worst = std::max(worst, std::abs(sums_of(system, held)[k] / wanted[k] - 1.0));
+    return worst;
+  };
+  const double before = worst_sum();
+  linear.keep_sums(gamma, b, x);
+  return {closed ? "coupling.kept_sums_closed" : "coupling.kept_sums_open",
+          "A linear solve's sums of energy and oxygen, once mended (they were " +
+              std::to_string(before) + " off)",
+          worst_sum(),
+          0.0,
+          1e-11,
+          "1",
+          "conservation; the sums are taken with the Jacobian's product"};
+}
+
 // J v against central differences of the right-hand side, in a random direction.
 Check jacobian() {
-  Case c = redox_case(0.735e-3);
-  c.chamber = ChamberCase{0.0, 5e-7, 5000.0, 0.21, 900.0, 0.0, Pump{0.0, 1e-8, 10.0, 1000.0}, 0.0};
-  ThermalScene scene(c);
-  scene.add(Vec3(0, 0, 0), 1100.0);
-  scene.add(Vec3(1.4e-3, 0, 0), 1000.0);
-  scene.begin();
-  coupling::close_chamber(scene.setup, scene.state);
-  const coupling::System system = coupling::assemble_system(
-      scene.setup, scene.nodes, scene.state, coupling::look_ahead(scene.setup, scene.state, 0.0),
-      {{0, 1, 1e-3, 2e-3}, {0, scene.nodes.gas(), 0.0, 1e-4}});
+  const ReactingPair pair(true);
+  const coupling::System& system = pair.system;
+  const ThermalScene& scene = pair.scene;
   const auto y = coupling::pack(system, scene.state);
   std::vector<double> v(y.size()), product(y.size()), up(y.size()), down(y.size());
   for (std::size_t k = 0; k < y.size(); ++k) v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
@@ -248,8 +312,9 @@ Check jacobian() {
 }  // namespace
 
 std::vector<Check> coupling_checks() {
-  std::vector<Check> checks{two_balls(), ten_balls(),      shells(),  radiating_ball(),
-                            pump_down(), isothermal_box(), jacobian()};
+  std::vector<Check> checks{two_balls(),      ten_balls(),     shells(),
+                            radiating_ball(), pump_down(),     isothermal_box(),
+                            jacobian(),       kept_sums(true), kept_sums(false)};
   for (Check& check : closed_granule()) checks.push_back(std::move(check));
   return checks;
 }

@@ -42,21 +42,21 @@ const std::map<std::string, std::set<std::string>> allowed = {
       "src/case", "src/coupling", "src/instruments", "src/sim", "src/verify", "src/report"}},
 };
 
-// Foreign headers and the one file that may include each.
-const std::map<std::string, std::string> foreign = {
-    {"embree3/", "radiation/scene.cpp"},
-    {"boost/", "physics/wall_tree.cpp"},
-    {"hdf5.h", "src/io/hdf5.cpp"},
-    {"toml++/", "src/case/toml_file.cpp"},
-    {"udunits2", "src/case/units.cpp"},
-    {"assimp/", "src/case/stl.cpp"},
-    {"cvodes/", "src/coupling/cvode.cpp"},
-    {"nvector/", "src/coupling/cvode.cpp"},
-    {"sunlinsol/", "src/coupling/cvode.cpp"},
-    {"sunnonlinsol/", "src/coupling/cvode.cpp"},
-    {"sundials/", "src/coupling/cvode.cpp"},
-    {"tbb/", "src/base/parallel.cpp"},
-    {"png.h", "src/report/png.cpp"},
+// Foreign headers and the files, rarely more than one, that may include each.
+const std::map<std::string, std::set<std::string>> foreign = {
+    {"embree3/", {"radiation/scene.cpp"}},
+    {"boost/", {"physics/wall_tree.cpp"}},
+    {"hdf5.h", {"src/io/hdf5.cpp"}},
+    {"toml++/", {"src/case/toml_file.cpp"}},
+    {"udunits2", {"src/case/units.cpp"}},
+    {"assimp/", {"src/case/stl.cpp"}},
+    {"cvodes/", {"src/coupling/cvode.cpp"}},
+    {"nvector/", {"src/coupling/vectors.cpp"}},
+    {"sunlinsol/", {"src/coupling/cvode.cpp"}},
+    {"sunnonlinsol/", {"src/coupling/cvode.cpp"}},
+    {"sundials/", {"src/coupling/cvode.cpp", "src/coupling/vectors.cpp"}},
+    {"tbb/", {"src/base/parallel.cpp"}},
+    {"png.h", {"src/report/png.cpp"}},
 };
 
 struct Include {
@@ -139,12 +139,12 @@ TEST_CASE("No header includes itself in a circle") {
   }
 }
 
-TEST_CASE("A foreign library stands in one file of ours") {
+TEST_CASE("A foreign library stands in a file of its own") {
   for (const auto& [file, target] : all_includes())
     for (const auto& [prefix, home] : foreign)
       if (target.rfind(prefix, 0) == 0) {
         INFO(file << " includes " << target);
-        CHECK(file == home);
+        CHECK(home.count(file) == 1);
       }
 }
 
