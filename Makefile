@@ -8,7 +8,7 @@ BUILD ?= build/release
 JOBS  ?= $(shell nproc)
 PMR    = $(BUILD)/src/cli/pmr
 
-.PHONY: run test test-slow build packages verify bench bench-bed format clean
+.PHONY: run test test-slow build packages verify bench bench-bed bench-tracing format clean
 .DEFAULT_GOAL := build
 
 packages:
@@ -37,6 +37,11 @@ bench: build
 
 bench-bed: build
 	@python3 bench/settled_bed.py $(BENCH)
+
+# Rays per second against plain Embree.
+bench-tracing: build
+	@cmake --build $(BUILD) --target bench_tracing
+	@python3 bench/tracing.py $(BENCH)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format -i

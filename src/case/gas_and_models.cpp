@@ -66,9 +66,10 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   Table table(models.reading(), node, models.path("radiation"));
   const Want rays{Dimension::none, {1.0, 1.0e7}};
   RadiationModel radiation{};
-  radiation.rays_moving = table.value("rays_moving", rays, 64.0);
+  radiation.rays_moving = table.value("rays_moving", rays, 48.0);
   radiation.rays_settled = table.value("rays_settled", rays, 512.0);
   radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.04);
+  radiation.retrace_displacement = table.value("retrace_displacement", a_positive_number, 0.05);
   radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.005);
   radiation.emissivity_change_traced =
       table.value("emissivity_change_traced", a_positive_number, 0.05);

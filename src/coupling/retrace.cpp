@@ -9,6 +9,7 @@
 #include "physics/motion.hpp"
 #include "physics/neighbours.hpp"
 #include "pmr/base/constants.hpp"
+#include "pmr/base/parallel.hpp"
 #include "radiation/exchange.hpp"
 
 namespace pmr::coupling {
@@ -120,6 +121,16 @@ double mean_change(const Case& c, const Nodes& nodes, const State& state,
   return emission > 0.0 ? change / emission : 0.0;
 }
 
+double mean_displacement(const State& state) {
+  const Particles& p = state.particles;
+  const std::vector<Vec3>& then = state.exchange.traced_place;
+  if (then.empty()) return std::numeric_limits<double>::infinity();
+  const double sum = parallel_sum(p.size(), [&](std::size_t i) {
+    return (p.position[i] - then[p.id[i]]).norm() / (2.0 * p.radius[i]);
+  });
+  return sum / static_cast<double>(p.size());
+}
+
 void rescale(const Case& c, const Nodes& nodes, State& state) {
   std::vector<double> emissivity = emissivities(c, nodes, state);
   std::vector<double> emission = areas_of(c, nodes, state);
@@ -143,6 +154,9 @@ Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double r
                                  state.interval, reservoirs(c, nodes)});
   }
   exchange.traced_at = state.time;
+  exchange.traced_place.resize(nodes.particles);
+  for (std::size_t i = 0; i < state.particles.size(); ++i)
+    exchange.traced_place[state.particles.id[i]] = state.particles.position[i];
   return exchange;
 }
 

@@ -17,6 +17,10 @@ std::vector<double> emissivities(const Case& c, const Nodes& nodes, const State&
 double mean_change(const Case& c, const Nodes& nodes, const State& state,
                    const std::vector<double>& now, const std::vector<double>& then);
 
+// Mean way from where the particles were when the factors were traced, in their own diameters [1];
+// infinite if there were none then.
+double mean_displacement(const State& state);
+
 // Brings the exchange factors to the emissivities of the moment without a new tracing.
 void rescale(const Case& c, const Nodes& nodes, State& state);
 

@@ -19,7 +19,7 @@ void for_each_contact_field(C& history, Visitor&& visit) {
 
 template <class E, class Visitor>
 void for_each_exchange_field(E& exchange, Visitor&& visit) {
-  auto& [factor, self, emissivity, traced_emissivity, traced_at, rays, relative_error,
+  auto& [factor, self, emissivity, traced_emissivity, traced_place, traced_at, rays, relative_error,
          row_sum_error, unfinished] = exchange;
   auto& [start, column, value] = factor;
   visit("exchange/start", "1", start);
@@ -28,6 +28,7 @@ void for_each_exchange_field(E& exchange, Visitor&& visit) {
   visit("exchange/self", "m2", self);
   visit("exchange/emissivity", "1", emissivity);
   visit("exchange/traced_emissivity", "1", traced_emissivity);
+  visit("exchange/traced_place", "m", traced_place);
   visit("exchange/traced_at", "s", traced_at);
   visit("exchange/rays", "1", rays);
   visit("exchange/relative_error", "1", relative_error);

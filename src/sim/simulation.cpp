@@ -107,20 +107,20 @@ void Simulation::move(const Interval& interval) {
   state_.exchange = {};  // the lost take no further part in it: traced anew
 }
 
-// While the bed moves, after a stated time; at rest, when the bed has just come to rest, a wall has
-// come or gone, or emissivities have changed much; where they have changed a little, factors are
-// scaled.
+// Anew when there are no factors, a wall has come or gone, emissivities have changed much, or the
+// particles have moved on and a stated time has passed; where emissivities have changed a little,
+// factors are scaled.
 void Simulation::retrace_if_due(const Interval& interval) {
   if (!case_.models.radiation) return;
   const RadiationModel& model = *case_.models.radiation;
   const StageTimer timer(timings_, "radiation");
   const double traced = state_.exchange.traced_at;
-  const double rounding = 0.5 * mechanics_.time_step();  // [s]
-  bool due = interval.moves() ? state_.time - traced >= model.retrace_interval - rounding
-                              : !std::isfinite(traced);
+  bool due = !std::isfinite(traced);
   for (const Surface& surface : case_.walls.surfaces)
     due = due || is_present(surface, traced) != is_present(surface, state_.time);
-  if (interval.moves() && !due) return;
+  const double rounding = 0.5 * mechanics_.time_step();  // [s]
+  if (interval.moves() && state_.time - traced >= model.retrace_interval - rounding)
+    due = due || coupling::mean_displacement(state_) > model.retrace_displacement;
   const auto now = coupling::emissivities(case_, nodes_, state_);
   const auto change = [&](const std::vector<double>& then) {
     return coupling::mean_change(case_, nodes_, state_, now, then);

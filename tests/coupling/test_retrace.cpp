@@ -6,6 +6,18 @@
 
 using namespace pmr;
 
+TEST_CASE("the way since the last tracing counts in diameters") {
+  State state;
+  Particles& p = state.particles;
+  for_each_field(p, [](const char*, const char*, auto& field) { field.resize(2); });
+  p.id = {1, 0};
+  p.radius = {1e-3, 2e-3};
+  p.position = {Vec3(0.0, 0.0, 1e-3), Vec3(3e-3, 0.0, 0.0)};
+  CHECK(std::isinf(coupling::mean_displacement(state)));
+  state.exchange.traced_place = {Vec3(3e-3, 4e-3, 0.0), Vec3(0.0, 0.0, 0.0)};
+  CHECK(coupling::mean_displacement(state) == Approx(0.5 * (0.5 + 1.0)).epsilon(1e-14));
+}
+
 TEST_CASE("a change of emissivity counts by what the node emits") {
   const Case c{};  // no walls
   State state;

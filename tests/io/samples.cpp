@@ -50,6 +50,7 @@ Exchange random_exchange(Filler& filler, std::size_t nodes) {
   filler.set(exchange.self, nodes);
   filler.set(exchange.emissivity, nodes);
   filler.set(exchange.traced_emissivity, nodes);
+  filler.set(exchange.traced_place, nodes);
   filler.set(exchange.rays);
   filler.set(exchange.relative_error);
   filler.set(exchange.row_sum_error);

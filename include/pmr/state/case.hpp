@@ -147,10 +147,11 @@ struct ConductionModel {
 struct RadiationModel {
   double rays_moving;        // [1] per smallest particle, while the bed moves
   double rays_settled;       // [1] per smallest particle, settled bed
-  double retrace_interval;   // [s] while moving
+  double retrace_interval;   // [s] while moving, at least
   double emissivity_change;  // [1] settled: factors are scaled at this mean change ...
   double surroundings;       // [K] temperature where rays leave the rig
   double emissivity_change_traced = 0.05;  // [1] ... and traced anew at this one since the tracing
+  double retrace_displacement = 0.05;      // [1] mean way of the particles, in diameters
   RadiationLaw law = RadiationLaw::traced;
 };
 struct NetworkModel {

@@ -33,13 +33,14 @@ struct Gas {
   double energy = 0.0;    // [J] internal
 };
 
-// Symmetric exchange of radiation between nodes. Nodes: particles by id, then wall patches, then
-// the surroundings.
+// Symmetric exchange of radiation between nodes: particles, then wall patches, then the
+// surroundings (numbered as src/coupling/nodes.hpp says).
 struct Exchange {
   Csr factor;                             // [m2] G_ij = eps_i A_i D_ij, G_ij = G_ji, no diagonal
   std::vector<double> self;               // [m2] G_ii
   std::vector<double> emissivity;         // [1] of each node that the factors now have
   std::vector<double> traced_emissivity;  // [1] of each node when traced
+  std::vector<Vec3> traced_place;         // [m] of each particle when traced, by id
   double traced_at = -std::numeric_limits<double>::infinity();  // [s]
   double rays = 0.0;                                            // [1] of that tracing
   double relative_error = 0.0;  // [1] mean standard error of a row's largest factors
