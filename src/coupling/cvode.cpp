@@ -72,6 +72,11 @@ int quadrature(realtype t, N_Vector y, N_Vector qdot, void* data) {
   return f.guard([&] { return f.problem.quadrature(t, view(y), view(qdot)); });
 }
 
+int event(realtype t, N_Vector y, realtype* value, void* data) {
+  Frame& f = frame_of(data);
+  return f.guard([&] { return *value = f.problem.event(t, view(y)), true; });
+}
+
 // J stays for Newton's iterations of one step.
 int linearise(realtype t, N_Vector y, N_Vector, void* data) {
   Frame& f = frame_of(data);
@@ -224,15 +229,21 @@ OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0
   Solver::require(CVodeSetStopTime(solver.get(), t1), "CVodeSetStopTime");
   if (first_step > 0.0) CVodeSetInitStep(solver.get(), std::min(first_step, t1 - t0));
 
-  double t = t0;
-  const int flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
+  if (problem.event) Solver::require(CVodeRootInit(solver.get(), 1, event), "CVodeRootInit");
+
+  double t = t0, event_at = std::numeric_limits<double>::infinity();
+  int flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
+  for (; flag == CV_ROOT_RETURN; flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL))
+    event_at = std::min(event_at, t);
   if (frame.thrown) std::rethrow_exception(frame.thrown);
   if (flag < 0)
     throw NumericsError(fmt::format("heat and reaction network: {} at t = {:.6g} s; {}",
                                     CVodeGetReturnFlagName(flag), t,
                                     worst_component(solver.get(), y_vector.get())));
   Solver::require(CVodeGetQuad(solver.get(), &t, integral_vector.get()), "CVodeGetQuad");
-  return statistics(solver.get(), std::move(integral));
+  OdeResult result = statistics(solver.get(), std::move(integral));
+  result.event_at = event_at;
+  return result;
 }
 
 }  // namespace pmr::coupling

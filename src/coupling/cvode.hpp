@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,12 +24,14 @@ struct OdeProblem {
   std::function<void(double gamma)> prepare;      // P = I - gamma J, approximately
   std::function<void(In r, Out z)> precondition;  // z = P^-1 r
   std::function<void(In y, Out weight)> weigh;    // 1/tolerance of each unknown
+  std::function<double(double t, In y)> event;    // empty: none; its first zero is told
   std::size_t quadratures = 0;                    // [1] length of q
 };
 
 struct OdeResult {
-  std::vector<double> quadrature;  // [unit of q] integral over [t0, t1]
-  double last_step = 0.0;          // [s]
+  std::vector<double> quadrature;                             // [unit of q] integral over [t0, t1]
+  double last_step = 0.0;                                     // [s]
+  double event_at = std::numeric_limits<double>::infinity();  // [s]
   long steps = 0, rate_calls = 0, newton = 0, krylov = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "chemistry/chamber.hpp"
 #include "coupling/cvode.hpp"
 #include "coupling/flux_rates.hpp"
 #include "coupling/linearisation.hpp"
@@ -130,6 +131,12 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   problem.weigh = [&](In now, Out weight) {
     weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
   };
+  if (system.closed && c.chamber->pump)
+    problem.event = [&, reached = c.chamber->pump->set_point * (1.0 + chemistry::control_band)](
+                        double t, In now) {
+      const std::span<const double, 3> gas(now.data() + system.gas_begin(), 3);
+      return gas_rates(system, t, gas).pressure - reached;
+    };
   problem.quadratures = as_vector({}).size();
 
   const OdeResult result = integrate(problem, y, from, until, state.network_step);
@@ -139,7 +146,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   // temperature, and one mixing serves many thermal cases (the change is below 1e-3).
   if (state.phase == Phase::react) renew_masses(c, state.particles);
   state.network_step = result.last_step;
-  return {result.steps, result.rate_calls, result.newton, result.krylov};
+  return {result.steps, result.rate_calls, result.newton, result.krylov, result.event_at};
 }
 
 }  // namespace pmr::coupling

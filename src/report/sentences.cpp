@@ -83,8 +83,33 @@ std::string sentence(std::vector<std::string> parts) {
   return text + ".";
 }
 
+// Of the instrument `[conductivity]`: least and largest value, and how they compare.
+std::string conductivity_part(const RunData& run) {
+  const auto& points = run.summary.items("effective_conductivity/points");
+  if (points.empty()) return "";
+  const auto value = [](const Value& p) { return p.number("conductivity"); };
+  const auto ratio = [&](const Value& p) { return value(p) / p.number("zehner_bauer_schluender"); };
+  const auto range = [&](const auto& figure) {
+    return std::minmax_element(points.begin(), points.end(), [&](const Value& a, const Value& b) {
+      return figure(a) < figure(b);
+    });
+  };
+  const auto told = [&](const Value& p) {
+    return strong(fixed(value(p), 2) + " W/m/K") + " (" +
+           with_unit(Quantity::pressure, p.number("pressure")) + ", " +
+           with_unit(Quantity::temperature, p.number("temperature")) + ")";
+  };
+  const auto [least, most] = range(value);
+  const auto [lowest, highest] = range(ratio);
+  return "the bed conducts " + told(*least) + " to " + told(*most) + ", " +
+         fixed(ratio(*lowest), 2) + " to " + fixed(ratio(*highest), 2) +
+         " times what the correlation of Zehner, Bauer and Schl\u00fcnder has";
+}
+
 std::string outcome(const RunData& run) {
   if (run.species.empty()) return "";
+  if (const std::string conductivity = conductivity_part(run); !conductivity.empty())
+    return sentence({conductivity});
   const std::string heat = temperature_part(run);
   const std::string oxygen = oxygen_part(run);
   if (heat.empty() && oxygen.empty()) return sentence({mixture_part(run)});

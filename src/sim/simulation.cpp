@@ -1,9 +1,9 @@
 #include "sim/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "chemistry/chamber.hpp"
 #include "coupling/heat_links.hpp"
 #include "coupling/outlook.hpp"
 #include "coupling/retrace.hpp"
@@ -143,29 +143,15 @@ void Simulation::exchange_heat(const Interval& interval) {
     return coupling::conduct(case_, nodes_, state_, gaps_, outlook);
   }();
   const StageTimer timer(timings_, "network");
-  const double pressure = coupling::atmosphere(case_, state_).pressure;
   const coupling::TrendWatch watch(case_, state_);
   const auto work = coupling::advance_network(case_, nodes_, outlook, std::move(links),
                                               interval.begin, interval.end, state_);
   watch.set(case_, length, state_);
-  watch_set_point(interval, pressure);
+  state_.set_point_at = std::min(state_.set_point_at, work.set_point_at);
   work_.steps += work.steps;
   work_.rate_calls += work.rate_calls;
   work_.newton += work.newton;
   work_.krylov += work.krylov;
-}
-
-// Notes when the pump first reached its set-point, within its control band; between the borders of
-// the interval ln p is taken as linear, as under a constant pumping speed.
-void Simulation::watch_set_point(const Interval& interval, double pressure_before) {
-  if (!state_.gas.closed || !case_.chamber->pump || std::isfinite(state_.set_point_at)) return;
-  const double reached = case_.chamber->pump->set_point * (1.0 + chemistry::control_band);
-  const double pressure = coupling::atmosphere(case_, state_).pressure;
-  if (pressure > reached) return;
-  const double part = pressure_before > reached ? std::log(pressure_before / reached) /
-                                                      std::log(pressure_before / pressure)
-                                                : 0.0;
-  state_.set_point_at = interval.begin + part * (interval.end - interval.begin);
 }
 
 Ending Simulation::run(const std::atomic<bool>& stop,

@@ -49,7 +49,6 @@ class Simulation {
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);
   void exchange_heat(const Interval& interval);
-  void watch_set_point(const Interval& interval, double pressure_before);
 
   const Case& case_;
   State state_;
