@@ -68,7 +68,7 @@ TEST_CASE("The books of a whole run close, and no particle is lost") {
   CHECK(balance.alive == 140);
   CHECK(balance.lost == 0);
   CHECK(simulation.state().fluxes.oxygen_released > 0.0);
-  CHECK(io::read_series(folder.path).rows() > 50);
+  CHECK(io::read_series(folder.path).rows() > 40);
 }
 
 TEST_CASE(
