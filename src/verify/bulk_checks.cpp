@@ -1,5 +1,6 @@
 // Radiation through the inside of a random bed, with the instrument that users have.
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "case/case.hpp"
@@ -99,6 +100,16 @@ Bulk measure(Case c, const State& bed, double emissivity, double rays) {
   return {measured.solid_fraction, measured.points.at(0).radiation / unit};
 }
 
+// F* at an emissivity of 0.8 [1], mean over four seeds.
+double mean_factor(Case c, const State& bed, double rays) {
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    c.seed = seed;
+    sum += measure(c, bed, 0.8, rays).factor;
+  }
+  return 0.25 * sum;
+}
+
 }  // namespace
 
 // F* of random packings of equal isothermal spheres at a solid fraction of 0.60 (D, an independent
@@ -113,12 +124,10 @@ std::vector<Check> bulk_checks() {
   const Case c = casefile::load_case_text(bed_text, "bed for radiation", ".", {});
   const State bed = settled(c);
   std::vector<Check> checks;
-  double reference = 0.0;  // F* at 0.8
   for (const auto& [emissivity, published] :
        {std::pair{1.0, 1.035}, {0.8, 0.794}, {0.6, 0.591}, {0.4, 0.417}}) {
     const Bulk bulk = measure(c, bed, emissivity, many_rays);
     const double expected = published * (1.0 + slope * (bulk.solid_fraction - 0.6));
-    if (emissivity == 0.8) reference = bulk.factor;
     checks.push_back({"radiation.bulk.F" + std::to_string(emissivity).substr(0, 3),
                       "F* = k_rad/(4 sigma d T^3) of a settled bed, emissivity " +
                           std::to_string(emissivity).substr(0, 3) + ", solid fraction " +
@@ -126,15 +135,16 @@ std::vector<Check> bulk_checks() {
                       bulk.factor, expected, 0.02 * expected, "1",
                       "independent tracing of random packings at 0.60, good to 1 %; 2 %"});
   }
-  // Few rays in a frozen matrix starve the paths that none of them took: plain random rays lose 12,
-  // 3.5 and 0.8 % of k_rad at 10, 30 and 100 (D). Quasi-random ones, both ways averaged, must never
-  // gain and lose no more, within the 0.2 % by which k_rad scatters from one tracing to the next.
-  for (const auto& [rays, worst] : {std::pair{10.0, 0.12}, {30.0, 0.035}, {100.0, 0.010}})
+  // Few rays in a frozen matrix starve the paths that none of them took: plain random rays lose
+  // about 1/M of k_rad (D; there 12, 3.5 and 0.8 % at 10, 30 and 100). Quasi-random ones, both ways
+  // averaged, must lose no more than 1/M, and never gain. Means of four tracings. Found at 100:
+  // 0.89 %, which is within 1/M but more than the 0.8 % of that other packing.
+  const double whole = mean_factor(c, bed, many_rays);
+  for (const double rays : {10.0, 30.0, 100.0})
     checks.push_back({"radiation.bulk.bias_" + std::to_string(static_cast<int>(rays)),
                       "Loss of k_rad with few rays a sphere, emissivity 0.8",
-                      1.0 - measure(c, bed, 0.8, rays).factor / reference, 0.5 * worst, 0.5 * worst,
-                      "1",
-                      "between nothing and what plain random rays lose on another packing (D)"});
+                      1.0 - mean_factor(c, bed, rays) / whole, 0.5 / rays, 0.5 / rays, "1",
+                      "between nothing and 1/M, what plain random rays lose (D)"});
   return checks;
 }
 

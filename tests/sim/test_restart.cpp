@@ -40,7 +40,7 @@ TEST_CASE("A run has the same bits on one and on two threads") {
 TEST_CASE("A run that is stopped in any phase and resumed has the bits of one that is not") {
   const std::uint64_t whole = hash_of_whole_run(2, "whole");
   const Case c = tiny();
-  for (const std::uint64_t stop_after : {3U, 15U, 30U, 45U}) {
+  for (const std::uint64_t stop_after : {3U, 15U, 30U, 60U}) {
     const Folder folder("stopped");
     {
       std::atomic<bool> stop{false};
@@ -68,7 +68,7 @@ TEST_CASE("The books of a whole run close, and no particle is lost") {
   CHECK(balance.alive == 140);
   CHECK(balance.lost == 0);
   CHECK(simulation.state().fluxes.oxygen_released > 0.0);
-  CHECK(io::read_series(folder.path).rows() > 40);
+  CHECK(io::read_series(folder.path).rows() > 50);
 }
 
 TEST_CASE(
