@@ -42,6 +42,15 @@ double mix(double x, double of_oxygen, double of_nitrogen) {
 HeatPoint oxygen_heat(double T) { return evaluate(oxygen, T); }
 HeatPoint nitrogen_heat(double T) { return evaluate(nitrogen, T); }
 
+double oxygen_entropy(double T) {
+  const bool low = T < oxygen.lower.high;
+  const HeatCurve& curve = low ? oxygen.lower : oxygen.upper;
+  const double constant = low ? 246.7945 : 236.1663;  // Shomate's G [J/mol/K]
+  const double t = 1e-3 * T;
+  return curve.a * std::log(t) + t * (curve.b + t * (0.5 * curve.c + t * curve.d / 3.0)) -
+         0.5 * curve.e / (t * t) + constant;
+}
+
 double total(const GasAmount& gas) { return gas.oxygen + gas.nitrogen; }
 
 double oxygen_fraction(const GasAmount& gas) {
@@ -87,6 +96,10 @@ double gas_conductivity(double x, double T) {
 double mean_free_path(double x, double T, double pressure) {
   const double mass = mix(x, oxygen_molar_mass, nitrogen_molar_mass);
   return viscosity(x, T) / pressure * std::sqrt(pi * R * T / (2.0 * mass));
+}
+
+double binary_diffusivity(double T, double pressure) {
+  return 1.81e-5 * std::pow(T / zero_celsius, 1.75) * standard_atmosphere / pressure;
 }
 
 double jump_length(double mean_free_path, double gamma, double accommodation) {

@@ -13,6 +13,8 @@ inline constexpr double gas_prandtl = 0.70;                // [1] of both gases,
 
 HeatPoint oxygen_heat(double T);    // [J/mol], [J/mol/K] at T [K]
 HeatPoint nitrogen_heat(double T);  // likewise
+// S [J/mol/K] of O2 gas at 1 bar and T [K] (NIST Shomate, 100-2000 K; continued as it stands).
+double oxygen_entropy(double T);
 
 // A body of gas.
 struct GasAmount {
@@ -32,6 +34,10 @@ double heat_capacity_ratio(double x, double T);              // gamma [1]
 double viscosity(double x, double T);                        // [Pa s]
 double gas_conductivity(double x, double T);                 // [W/m/K]
 double mean_free_path(double x, double T, double pressure);  // [m] (mu/p) sqrt(pi R T/(2 M))
+
+// O2 in N2 [m2/s]: 1.81e-5 (T/273.15)^1.75 (101325 Pa/p) (Marrero & Mason 1972; exponent of
+// Fuller et al. 1966).
+double binary_diffusivity(double T, double pressure);
 
 // Temperature jump length of one surface [m]:
 // (2 - alpha)/alpha * 2 gamma/(gamma + 1) * lambda/Pr, alpha its thermal accommodation [1].

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "chemistry/redox.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::chemistry {
 namespace {
+
+constexpr double R = gas_constant;
+constexpr double lowest_pressure = 1e-3;  // [Pa] where a law is singular at zero
 
 // p^m and its slope m p^(m-1).
 struct Power {
@@ -17,49 +21,114 @@ struct Power {
 
 Power power(double pressure, double m) {
   if (m == 1.0) return {pressure, 1.0};  // exact, and defined below zero too
-  constexpr double floor = 1e-3;         // [Pa]
-  if (pressure <= floor) return {std::pow(floor, m), 0.0};
+  if (pressure <= lowest_pressure) return {std::pow(lowest_pressure, m), 0.0};
   const double value = std::pow(pressure, m);
   return {value, m * value / pressure};
 }
 
-double power_rate(const PowerRate& law, double p_eq, const RateState& at) {
-  const double drive =
-      power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
-  return rate_constant(law, at.temperature) * drive;
+// A rate constant and its slope, pores included.
+struct Constant {
+  double value;  // [mol O2/s/m3/Pa^m]
+  double by_T;   // [mol O2/s/m3/Pa^m/K]
+};
+
+// phi eta'(phi) [1]
+double effectiveness_slope(double phi) {
+  if (phi < 0.1) return -2.0 * phi * phi / 15.0;
+  const double sinh = std::sinh(std::min(phi, 300.0));
+  return 3.0 * (2.0 - phi / std::tanh(phi) - phi * phi / (sinh * sinh)) / (phi * phi);
 }
 
-RateSlopes power_slopes(const PowerRate& law, const RedoxEquilibrium& eq, const RateState& at) {
+Constant constant_of(const PowerRate& law, const Redox& redox, bool reduces, const RateState& at) {
+  const double T = at.temperature;
+  const Arrhenius& k = reduces || !law.oxidation ? law.reduction : *law.oxidation;
+  const double value = rate_constant(law.factor, k, T);
+  const double by_T = value * k.activation_energy / (R * T * T);
+  if (!redox.pores || at.radius == 0.0) return {value, by_T};
+  const PoreDiffusion& pores = *redox.pores;
+  const double diffusivity = pores.diffusivity * std::sqrt(T / pores.reference_temperature);
+  const double phi = at.radius * std::sqrt(value * R * T / diffusivity);
+  // d ln phi / dT, of sqrt(k T / sqrt(T))
+  const double stretch = 0.5 * (k.activation_energy / (R * T * T) + 0.5 / T);
+  const double part = effectiveness(phi);
+  return {part * value, part * by_T + value * effectiveness_slope(phi) * stretch};
+}
+
+double rate(const PowerRate& law, const Redox& redox, const RateState& at) {
+  const double p_eq = equilibrium_pressure(redox.equilibrium, at.temperature, at.delta);
+  const double drive =
+      power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
+  return constant_of(law, redox, !(drive < 0.0), at).value * drive;
+}
+
+RateSlopes slopes(const PowerRate& law, const Redox& redox, const RateState& at) {
+  const RedoxEquilibrium& eq = redox.equilibrium;
   const double T = at.temperature;
   const double p_eq = equilibrium_pressure(eq, T, at.delta);
-  const double k = rate_constant(law, T);
   const Power inside = power(p_eq, law.exponent), outside = power(at.oxygen_pressure, law.exponent);
-  const double rate = k * (inside.value - outside.value);
-  const double by_ln_p = k * inside.slope * p_eq;  // d r / d ln p_eq
-  return {rate, by_ln_p * ln_pressure_delta_slope(eq, T, at.delta),
-          rate * law.activation_energy / (gas_constant * T * T) +
-              by_ln_p * ln_pressure_temperature_slope(eq, T, at.delta),
-          -k * outside.slope};
+  const double drive = inside.value - outside.value;
+  const Constant k = constant_of(law, redox, !(drive < 0.0), at);
+  const double by_ln_p = k.value * inside.slope * p_eq;  // d r / d ln p_eq
+  return {k.value * drive, by_ln_p * ln_pressure_delta_slope(eq, T, at.delta),
+          k.by_T * drive + by_ln_p * ln_pressure_temperature_slope(eq, T, at.delta),
+          -k.value * outside.slope};
+}
+
+double rate(const RelaxationRate& law, const Redox& redox, const RateState& at) {
+  const RedoxEquilibrium& eq = redox.equilibrium;
+  if (!(at.delta > 0.0 && at.delta < eq.delta_limit))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double end =
+      equilibrium_delta(eq, at.temperature, std::max(at.oxygen_pressure, lowest_pressure));
+  return 0.5 * at.concentration * (end - at.delta) /
+         relaxation_time(law, end >= at.delta, at.temperature);
+}
+
+RateSlopes slopes(const RelaxationRate& law, const Redox& redox, const RateState& at) {
+  const RedoxEquilibrium& eq = redox.equilibrium;
+  const double T = at.temperature, p = std::max(at.oxygen_pressure, lowest_pressure);
+  const double end = equilibrium_delta(eq, T, p);
+  const bool reduces = end >= at.delta;
+  const double tau = relaxation_time(law, reduces, T);
+  const double energy = reduces ? law.reduction_energy : law.oxidation_energy;
+  const double by_end = 0.5 * at.concentration / tau;                // [mol O2/s/m3]
+  const double by_ln_p = 1.0 / ln_pressure_delta_slope(eq, T, end);  // d(delta_eq)/d(ln p)
+  const double rate = 0.5 * at.concentration * (end - at.delta) / tau;
+  const double quickening = tau > law.shortest ? energy / (R * T * T) : 0.0;  // -d ln tau/dT
+  return {rate, -by_end,
+          rate * quickening - by_end * by_ln_p * ln_pressure_temperature_slope(eq, T, end),
+          at.oxygen_pressure > lowest_pressure ? by_end * by_ln_p / p : 0.0};
 }
 
 }  // namespace
 
-double rate_constant(const PowerRate& law, double T) {
-  return law.factor * law.pre_exponential * std::exp(-law.activation_energy / (gas_constant * T));
+double rate_constant(double factor, const Arrhenius& k, double T) {
+  return factor * k.pre_exponential * std::exp(-k.activation_energy / (R * T));
+}
+
+double relaxation_time(const RelaxationRate& law, bool is_reducing, double T) {
+  const double energy = is_reducing ? law.reduction_energy : law.oxidation_energy;
+  const double tau = law.time * std::exp(energy / R * (1.0 / T - 1.0 / law.reference_temperature));
+  return std::max(tau, law.shortest);
+}
+
+double effectiveness(double thiele) {
+  if (thiele < 0.1) return 1.0 - thiele * thiele / 15.0;
+  return 3.0 * (thiele / std::tanh(thiele) - 1.0) / (thiele * thiele);
 }
 
 double oxygen_rate(const Redox& redox, const RateState& at) {
-  const double p_eq = equilibrium_pressure(redox.equilibrium, at.temperature, at.delta);
-  return std::visit([&](const PowerRate& law) { return power_rate(law, p_eq, at); }, redox.rate);
+  return std::visit([&](const auto& law) { return rate(law, redox, at); }, redox.rate);
 }
 
 RateSlopes oxygen_rate_slopes(const Redox& redox, const RateState& at) {
-  return std::visit([&](const PowerRate& law) { return power_slopes(law, redox.equilibrium, at); },
-                    redox.rate);
+  return std::visit([&](const auto& law) { return slopes(law, redox, at); }, redox.rate);
 }
 
 double delta_rate(const Material& material, const RateState& at) {
-  return 2.0 * oxygen_rate(*material.redox, at) / iron_concentration(material);
+  RateState here = at;
+  here.concentration = iron_concentration(material);
+  return 2.0 * oxygen_rate(*material.redox, here) / here.concentration;
 }
 
 }  // namespace pmr::chemistry

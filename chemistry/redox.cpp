@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "chemistry/gas.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
@@ -22,8 +23,8 @@ double reduced_delta(const RedoxEquilibrium& eq, double delta) {
 }
 
 // ds without its configurational part.
-double thermal_entropy(const RedoxEquilibrium& eq) {
-  return eq.oxygen_entropy + eq.vibration_entropy;
+double thermal_entropy(const RedoxEquilibrium& eq, double T) {
+  return (eq.oxygen_entropy ? *eq.oxygen_entropy : 0.5 * oxygen_entropy(T)) + eq.vibration_entropy;
 }
 
 // The equilibrium in x = ln(delta/(limit - delta)), where ln p = c - 4 a x - 2 dh/(R T).
@@ -41,7 +42,7 @@ struct LogitEquation {
   }
   // x of a dh [J/mol O] that did not depend on delta.
   double linear(double heat) const {
-    return ((2.0 / R) * (thermal_entropy(eq) - heat / T) - ln_p) / (4.0 * eq.configuration);
+    return ((2.0 / R) * (thermal_entropy(eq, T) - heat / T) - ln_p) / (4.0 * eq.configuration);
   }
 };
 
@@ -57,14 +58,14 @@ double reduction_enthalpy_slope(const RedoxEquilibrium& eq, double delta) {
   return enthalpy_span(eq) * eq.steepness / (pi * (1.0 + u * u));
 }
 
-double reduction_entropy(const RedoxEquilibrium& eq, double delta) {
+double reduction_entropy(const RedoxEquilibrium& eq, double T, double delta) {
   if (!(delta > 0.0 && delta < eq.delta_limit)) return std::numeric_limits<double>::quiet_NaN();
-  return thermal_entropy(eq) +
+  return thermal_entropy(eq, T) +
          2.0 * eq.configuration * R * std::log((eq.delta_limit - delta) / delta);
 }
 
 double ln_equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) {
-  return (2.0 / R) * (reduction_entropy(eq, delta) - reduction_enthalpy(eq, delta) / T);
+  return (2.0 / R) * (reduction_entropy(eq, T, delta) - reduction_enthalpy(eq, delta) / T);
 }
 
 double ln_pressure_delta_slope(const RedoxEquilibrium& eq, double T, double delta) {
@@ -74,7 +75,8 @@ double ln_pressure_delta_slope(const RedoxEquilibrium& eq, double T, double delt
 }
 
 double ln_pressure_temperature_slope(const RedoxEquilibrium& eq, double T, double delta) {
-  return 2.0 * reduction_enthalpy(eq, delta) / (R * T * T);
+  const double entropy_slope = eq.oxygen_entropy ? 0.0 : 0.5 * oxygen_heat(T).heat_capacity / T;
+  return (2.0 / R) * (reduction_enthalpy(eq, delta) / (T * T) + entropy_slope);
 }
 
 double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) {

@@ -3,16 +3,17 @@
 //   dh = dHmin + (dHmax - dHmin)/pi (atan(u) + pi/2),  u = s (delta - d0 - t)
 //   ds = S_th + s_v + 2 a R (ln(limit - delta) - ln(delta))
 // Vieten et al., Energy Environ. Sci. 12 (2019) 1369, with a constant thermal entropy of oxygen so
-// that Gibbs-Helmholtz holds. Outside 0 < delta < limit, ds and all that rests on it are NaN: the
-// integrator's signal to try a smaller step.
+// that Gibbs-Helmholtz holds; or, for comparison, with half of the entropy of O2 gas at T, as the
+// data set's plotting code has it. Outside 0 < delta < limit, ds and all that rests on it are NaN:
+// the integrator's signal to try a smaller step.
 #pragma once
 #include "pmr/state/materials.hpp"
 
 namespace pmr::chemistry {
 
-double reduction_enthalpy(const RedoxEquilibrium& eq, double delta);        // dh [J/mol O]
-double reduction_enthalpy_slope(const RedoxEquilibrium& eq, double delta);  // d(dh)/d(delta)
-double reduction_entropy(const RedoxEquilibrium& eq, double delta);         // ds [J/mol O/K]
+double reduction_enthalpy(const RedoxEquilibrium& eq, double delta);           // dh [J/mol O]
+double reduction_enthalpy_slope(const RedoxEquilibrium& eq, double delta);     // d(dh)/d(delta)
+double reduction_entropy(const RedoxEquilibrium& eq, double T, double delta);  // ds [J/mol O/K]
 
 // ln(p_eq / 1 bar) [1] at T [K], and its slopes.
 double ln_equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta);

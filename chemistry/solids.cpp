@@ -19,10 +19,10 @@ HeatCurve curve_of(const Shomate& law) {
           law.maximum_temperature};
 }
 
-// ABO2.5, per mol of B.
-HeatCurve curve_of(const FerriteHeat& law) {
+// At delta = 0.5, per mol of formula units.
+HeatCurve curve_of(const OxideHeat& law) {
   const HeatCurve curve{
-      law.a, law.b, law.c, 0.0, law.d, 0.0, ferrite_heat_minimum, ferrite_heat_maximum};
+      law.a, law.b, law.c, 0.0, law.d, 0.0, law.minimum_temperature, law.maximum_temperature};
   return anchored(curve, enthalpy_zero, 0.0);
 }
 
@@ -36,24 +36,24 @@ HeatPoint inert_heat(const Material& material, double T) {
   return {molar.enthalpy / law->molar_mass, molar.heat_capacity / law->molar_mass};
 }
 
-HeatCurve ferrite_curve(const Material& material) {
-  const auto* law = std::get_if<FerriteHeat>(&material.heat);
-  ensure(law != nullptr, "a redox material's heat law is FerriteHeat");
+HeatCurve oxide_curve(const Material& material) {
+  const auto* law = std::get_if<OxideHeat>(&material.heat);
+  ensure(law != nullptr, "a redox material's heat law is OxideHeat");
   return curve_of(*law);
 }
 
 // Per mol Fe, without H(delta), which does not depend on T.
-HeatPoint sensible_heat(const HeatCurve& ferrite, double T, double delta) {
-  const HeatPoint base = evaluate(ferrite, T);
+HeatPoint sensible_heat(const HeatCurve& oxide, double T, double delta) {
+  const HeatPoint base = evaluate(oxide, T);
   const HeatPoint gas = oxygen_heat(T);
-  const double oxygen = 0.5 * (0.5 - delta);  // [mol O2/mol Fe] above ABO2.5
+  const double oxygen = 0.5 * (0.5 - delta);  // [mol O2/mol] beyond delta = 0.5
   return {base.enthalpy + oxygen * gas.enthalpy, base.heat_capacity + oxygen * gas.heat_capacity};
 }
 
 }  // namespace
 
 bool heat_law_fits(const Material& material) {
-  return material.redox.has_value() == std::holds_alternative<FerriteHeat>(material.heat);
+  return material.redox.has_value() == std::holds_alternative<OxideHeat>(material.heat);
 }
 
 double specific_heat(const Material& material, double T) {
@@ -65,11 +65,11 @@ double specific_enthalpy(const Material& material, double T) {
 }
 
 double molar_heat_capacity(const Material& material, double T, double delta) {
-  return sensible_heat(ferrite_curve(material), T, delta).heat_capacity;
+  return sensible_heat(oxide_curve(material), T, delta).heat_capacity;
 }
 
 double molar_enthalpy(const Material& material, double T, double delta) {
-  return sensible_heat(ferrite_curve(material), T, delta).enthalpy +
+  return sensible_heat(oxide_curve(material), T, delta).enthalpy +
          reduction_heat(material.redox->equilibrium, delta);
 }
 
@@ -100,9 +100,9 @@ double temperature(const Solid& solid, double energy, double delta, double guess
         per_amount, guess, [&](double T) { return inert_heat(material, T); },
         material.name.c_str());
   const double bound = reduction_heat(material.redox->equilibrium, delta);
-  const HeatCurve ferrite = ferrite_curve(material);
+  const HeatCurve oxide = oxide_curve(material);
   return solve_temperature(
-      per_amount - bound, guess, [&](double T) { return sensible_heat(ferrite, T, delta); },
+      per_amount - bound, guess, [&](double T) { return sensible_heat(oxide, T, delta); },
       material.name.c_str());
 }
 

@@ -3,16 +3,13 @@
 // from which everything else follows: with oxygen leaving as gas of h_O2(T), the heat of reaction
 // is dh(delta) at every T, and the books can close. Zero: 298.15 K for h_2.5, h_O2, inert solids
 // (Shomate: as the published F and H have it, which is within some 10 J/mol).
-// Laws: ConstantHeat and Shomate for inert materials, FerriteHeat for redox materials, no other
-// pairing. Shomate and ferrite polynomials are continued beyond their range as heat_curve.hpp says.
+// Laws: ConstantHeat and Shomate for inert materials, OxideHeat for redox materials, no other
+// pairing. Shomate and oxide polynomials are continued beyond their range as heat_curve.hpp says.
 #pragma once
 #include "chemistry/heat_curve.hpp"
 #include "pmr/state/materials.hpp"
 
 namespace pmr::chemistry {
-
-inline constexpr double ferrite_heat_minimum = 298.15;  // [K] range in which FerriteHeat is used
-inline constexpr double ferrite_heat_maximum = 1500.0;  // [K] as it stands
 
 // Inert material: specific heat capacity [J/kg/K] and enthalpy [J/kg] at T [K].
 double specific_heat(const Material& material, double T);

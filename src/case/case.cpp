@@ -54,6 +54,31 @@ bool make_files_absolute(Node& root, const fs::path& base_dir) {
   return changed;
 }
 
+constexpr int deepest = 8;  // cases that lie on one another
+
+// A case may lie on another: what it says replaces or adds to what "extends" names. Whether there
+// was such a base.
+bool lay_on_base(Node& document, const fs::path& base_dir, int depth = 0) {
+  const Node* extends = document.find("extends");
+  if (extends == nullptr) return false;
+  const std::string place = to_string(extends->place);
+  if (extends->kind != Node::Kind::string)
+    throw CaseError({{place, "extends", "wanted a case file's name in quotes"}});
+  if (depth == deepest)
+    throw CaseError({{place, "extends", "the cases extend each other in a circle"}});
+  const fs::path file = base_dir / extends->text;
+  if (!fs::is_regular_file(file))
+    throw CaseError({{place, "extends", "there is no case file " + file.string()}});
+  Node base = parse_toml(text_of(file), file.string());
+  lay_on_base(base, file.parent_path(), depth + 1);
+  make_files_absolute(base, file.parent_path());
+  document.members.erase("extends");
+  make_files_absolute(document, base_dir);
+  merge(base, document);
+  document = std::move(base);
+  return true;
+}
+
 Vec3 read_gravity(Table& root) {
   const std::string wanted = "a vector such as \"0 0 -9.80665 m/s2\", or \"none\"";
   const Node* node = root.need("gravity", wanted);
@@ -102,6 +127,7 @@ void keep_mechanics(Table& root, Case& made) {
   made.models.conduction.reset();
   made.models.radiation.reset();
   made.models.reaction = false;
+  made.models.bed_gas.reset();
   made.react.reset();
   made.chamber.reset();
   made.conductivity.reset();
@@ -162,12 +188,16 @@ Case load_case_text(const std::string& text, const std::string& name, const fs::
   Node document = parse_toml(text, name);
   if (document.members.empty())
     throw CaseError({{name, "", "is empty: it holds no key at all; wanted a case"}});
+  const bool is_laid = lay_on_base(document, base_dir);
   for (const std::string& set : sets) apply_setting(document, set);
   const bool moved = make_files_absolute(document, base_dir);
   Reading reading;
   Case made = read_case(reading, document, base_dir);
   reading.finish();
-  made.text = moved || !sets.empty() ? write_toml(document) : text;
+  if (is_laid)
+    made.text = "# " + name + ", with what it extends\n" + write_toml(document);
+  else
+    made.text = moved || !sets.empty() ? write_toml(document) : text;
   return made;
 }
 

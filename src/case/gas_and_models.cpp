@@ -1,4 +1,6 @@
 // The chamber's gas, its pump, and the models' numerics.
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "case/parts.hpp"
@@ -8,18 +10,42 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
+// A constant, or a curve over the pressure at the inlet.
+pmr::Table read_speed(Table& pump) {
+  const Want speed{Dimension::flow, positive};
+  const Node* node = pump.look("speed");
+  if (node == nullptr || node->find("pressure") == nullptr)
+    return constant(pump.value("speed", speed));
+  Table curve(pump.reading(), *node, pump.path("speed"));
+  const pmr::Table rows{curve.values("pressure", {Dimension::pressure, positive}),
+                        curve.values("speed", speed)};
+  if (rows.x.size() != rows.y.size()) curve.fault("speed", "wanted as many speeds as pressures");
+  if (std::adjacent_find(rows.x.begin(), rows.x.end(), std::greater_equal<>()) != rows.x.end())
+    curve.fault("pressure", "wanted rising pressures");
+  return rows.x.empty() || rows.x.size() != rows.y.size() ? constant(1.0) : rows;
+}
+
 std::optional<Pump> read_pump(Table& chamber) {
   const Node* node = chamber.look_table("pump");
   if (node == nullptr) return std::nullopt;
   Table table(chamber.reading(), *node, chamber.path("pump"));
   Pump pump{};
   pump.start = table.value("start", a_time);
-  pump.speed = table.value("speed", {Dimension::flow, positive});
+  pump.speed = read_speed(table);
   pump.ultimate = table.value("ultimate", a_pressure);
-  pump.set_point = table.value("set_point", a_pressure);
+  pump.set_point = table.value("set_point", {Dimension::pressure, positive});
+  pump.efficiency = table.value("efficiency", {Dimension::none, {0, 1, true}}, 0.2);
   if (pump.set_point < pump.ultimate)
     table.fault("set_point", "wanted at least the ultimate pressure");
   return pump;
+}
+
+std::optional<Vent> read_vent(Table& chamber) {
+  const Node* node = chamber.look_table("vent");
+  if (node == nullptr) return std::nullopt;
+  Table table(chamber.reading(), *node, chamber.path("vent"));
+  return Vent{table.value("start", a_time),
+              table.value("conductance", {Dimension::leak, positive})};
 }
 
 // A model is a table, or true (all defaults), or false or missing (off).
@@ -66,9 +92,9 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   Table table(models.reading(), node, models.path("radiation"));
   const Want rays{Dimension::none, {1.0, 1.0e7}};
   RadiationModel radiation{};
-  radiation.rays_moving = table.value("rays_moving", rays, 48.0);
+  radiation.rays_moving = table.value("rays_moving", rays, 32.0);
   radiation.rays_settled = table.value("rays_settled", rays, 512.0);
-  radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.04);
+  radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.05);
   radiation.retrace_displacement = table.value("retrace_displacement", a_positive_number, 0.05);
   radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.005);
   radiation.emissivity_change_traced =
@@ -77,6 +103,12 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   if (table.has("law") && table.choice("law", {"traced", "environment"}) == "environment")
     radiation.law = RadiationLaw::environment;
   return radiation;
+}
+
+BedGasModel read_bed_gas(Table& models, const Node& node) {
+  Table table(models.reading(), node, models.path("bed_gas"));
+  return {table.count("layers", 1, 12),
+          table.value("tortuosity", {Dimension::none, {1.0, 10.0}}, 1.5)};
 }
 
 NetworkModel read_network(Table& models) {
@@ -128,6 +160,9 @@ std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& r
       table.value("film_coefficient", {Dimension::film_coefficient, not_negative});
   chamber.leak = table.value("leak", {Dimension::leak, not_negative});
   chamber.pump = read_pump(table);
+  chamber.vent = read_vent(table);
+  if (chamber.vent && chamber.vent->start < chamber.closing)
+    table.fault("vent", "wanted a start after the closing");
   if (chamber.pump && chamber.pump->start < chamber.closing)
     table.fault("closing", "the pump starts before the chamber is closed");
   return chamber;
@@ -144,6 +179,10 @@ Models read_models(Table& root) {
   if (const Node* on = model(table, "radiation", defaults); on != nullptr)
     models.radiation = read_radiation(table, *on);
   models.reaction = table.flag("reaction", false);
+  if (const Node* on = model(table, "bed_gas", defaults); on != nullptr) {
+    models.bed_gas = read_bed_gas(table, *on);
+    if (root.look("chamber") == nullptr) table.fault("bed_gas", "the bed's gas wants [chamber]");
+  }
   models.mechanics_only = table.flag("mechanics_only", false);
   models.network = read_network(table);
   return models;

@@ -8,6 +8,7 @@ namespace pmr::casefile {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr Want poisson{Dimension::none, {-1.0, 0.5, true, false}};
 
 // Reads a table whose mark and source hold for all of it, recorded as one figure.
@@ -59,12 +60,16 @@ HeatLaw read_shomate(Table& law) {
 }
 
 HeatLaw read_heat(Table& law) {
-  const std::string kind = law.choice("law", {"constant", "shomate", "ferrite"});
+  const std::string kind = law.choice("law", {"constant", "shomate", "oxide"});
   if (kind == "shomate") return read_shomate(law);
-  if (kind == "ferrite") {
+  if (kind == "oxide") {
     const Want coefficient{Dimension::molar_heat_capacity, any};
-    return FerriteHeat{law.value("a", coefficient), law.value("b", coefficient),
-                       law.value("c", coefficient), law.value("d", coefficient)};
+    return OxideHeat{law.value("a", coefficient),
+                     law.value("b", coefficient),
+                     law.value("c", coefficient),
+                     law.value("d", coefficient),
+                     law.value("minimum_temperature", a_temperature),
+                     law.value("maximum_temperature", a_temperature)};
   }
   if (kind.empty()) law.ignore_rest();
   if (kind != "constant") return ConstantHeat{nan};
@@ -110,7 +115,9 @@ RedoxEquilibrium read_equilibrium(Table& law) {
   e.steepness = law.value("steepness", a_positive_number);
   e.offset = law.value("offset", a_number);
   e.vibration_entropy = law.value("vibration_entropy", entropy);
-  e.oxygen_entropy = law.value("oxygen_entropy", entropy);
+  const Node* oxygen = law.look("oxygen_entropy");
+  if (oxygen == nullptr || oxygen->text != "gas")
+    e.oxygen_entropy = law.value("oxygen_entropy", entropy);
   e.configuration = law.value("configuration", a_positive_number);
   e.delta_limit = law.value("delta_limit", delta, 0.5);
   e.fit_delta_minimum = law.value("fit_delta_minimum", delta);
@@ -122,18 +129,46 @@ RedoxEquilibrium read_equilibrium(Table& law) {
   return e;
 }
 
+constexpr Want an_energy{Dimension::molar_energy, not_negative};
+
 // The pre-exponential is per Pa^m; UDUNITS has no broken powers, so m = 1 alone is written in Pa.
-RateLaw read_rate(Table& law) {
-  law.choice("law", {"power"});
+PowerRate read_power(Table& law) {
   PowerRate rate{};
   rate.factor = law.value("factor", {Dimension::none, not_negative});
   rate.exponent = law.value("exponent", a_positive_number);
-  const bool linear = rate.exponent == 1.0;
-  rate.pre_exponential =
-      law.value("pre_exponential",
-                {linear ? Dimension::rate_constant : Dimension::volumetric_rate, not_negative});
-  rate.activation_energy = law.value("activation_energy", {Dimension::molar_energy, not_negative});
+  const Want constant{rate.exponent == 1.0 ? Dimension::rate_constant : Dimension::volumetric_rate,
+                      not_negative};
+  rate.reduction = {law.value("pre_exponential", constant),
+                    law.value("activation_energy", an_energy)};
+  const bool has_own = law.has("oxidation_pre_exponential") || law.has("oxidation_energy");
+  if (has_own)
+    rate.oxidation = Arrhenius{law.value("oxidation_pre_exponential", constant),
+                               law.value("oxidation_energy", an_energy)};
   return rate;
+}
+
+RelaxationRate read_relaxation(Table& law) {
+  return {law.value("time", a_duration), law.value("reference_temperature", a_temperature),
+          law.value("reduction_energy", an_energy), law.value("oxidation_energy", an_energy),
+          law.value("shortest", a_duration)};
+}
+
+RateLaw read_rate(Table& law) {
+  const std::string kind = law.choice("law", {"power", "relaxation"});
+  if (kind.empty()) law.ignore_rest();
+  if (kind == "relaxation") return read_relaxation(law);
+  return kind == "power" ? read_power(law) : PowerRate{};
+}
+
+std::optional<PoreDiffusion> read_pores(Table& redox, const RateLaw& rate) {
+  const Node* node = redox.look_table("pores");
+  if (node == nullptr) return std::nullopt;
+  const auto* power = std::get_if<PowerRate>(&rate);
+  if (power == nullptr || power->exponent != 1.0)
+    redox.fault("pores", "wanted only with the power law of exponent 1");
+  Table table(redox.reading(), *node, redox.path("pores"));
+  return PoreDiffusion{table.value("diffusivity", {Dimension::diffusivity, positive}),
+                       table.value("reference_temperature", a_temperature)};
 }
 
 Redox read_redox(Table& table) {
@@ -141,7 +176,13 @@ Redox read_redox(Table& table) {
   table.need_table("equilibrium");
   table.need_table("rate");
   read_law(table, "equilibrium", [&](Table& law) { redox.equilibrium = read_equilibrium(law); });
-  read_law(table, "rate", [&](Table& law) { redox.rate = read_rate(law); });
+  read_law(table, "rate", [&](Table& law) {
+    redox.rate = read_rate(law);
+    redox.rate_temperature_minimum = law.value("fit_temperature_minimum", a_temperature, 0.0);
+    redox.rate_temperature_maximum = law.value("fit_temperature_maximum", a_temperature, forever);
+  });
+  redox.pores = read_pores(table, redox.rate);
+  redox.oxygen_atoms = table.value("oxygen_atoms", a_positive_number);
   redox.molar_mass = table.value("molar_mass", {Dimension::molar_mass, positive});
   redox.atomic_oxygen = table.value("atomic_oxygen", {Dimension::molar_mass, positive});
   redox.density_delta = table.value("density_delta", {Dimension::none, {0.0, 3.0}});

@@ -25,7 +25,7 @@ std::string normalised(const std::string& key) {
 
 bool lacks(const ConstantHeat& law) { return std::isnan(law.heat_capacity); }
 bool lacks(const Shomate&) { return false; }
-bool lacks(const FerriteHeat&) { return false; }
+bool lacks(const OxideHeat&) { return false; }
 
 bool lacks_conductivity(const Material& material) {
   const auto* table = std::get_if<TabulatedConductivity>(&material.conductivity);
@@ -126,9 +126,9 @@ void MaterialBook::check(std::uint32_t index, const Models& models) {
     reading_.fault(uses_[index].place, "materials." + material.name + "." + missing,
                    "is missing; this use of the material wants it");
   if ((uses_[index].roles & static_cast<unsigned>(Role::particle)) == 0) return;
-  if (std::holds_alternative<FerriteHeat>(material.heat) && !material.redox)
+  if (std::holds_alternative<OxideHeat>(material.heat) && !material.redox)
     reading_.fault(uses_[index].place, "materials." + material.name + ".redox",
-                   "is missing; the heat law 'ferrite' counts oxygen");
+                   "is missing; the heat law 'oxide' counts oxygen");
 }
 
 PairContact MaterialBook::read_contact(std::string key) {

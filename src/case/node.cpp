@@ -154,7 +154,8 @@ void apply_setting(Node& root, const std::string& setting) {
 
 void merge(Node& base, const Node& over) {
   const bool whole = !base.is_table() || !over.is_table() || base.find("value") != nullptr ||
-                     over.find("value") != nullptr || over.find("law") != nullptr;
+                     over.find("value") != nullptr || over.find("law") != nullptr ||
+                     over.find("kind") != nullptr;
   if (whole) {
     base = over;
     return;

@@ -44,7 +44,7 @@ std::string write_value(const Node& node);
 // tables are made (the reader then says whether the key is known); array elements go by index.
 void apply_setting(Node& root, const std::string& setting);
 
-// Lays `over` on `base`: tables that describe no single figure and no law are merged key by key,
+// Lays `over` on `base`: tables that describe no single figure, law or kind are merged key by key,
 // anything else is replaced.
 void merge(Node& base, const Node& over);
 

@@ -62,6 +62,7 @@ constexpr std::array names{
     DimensionName{Dimension::leak, "a leak", "mol/s/Pa", "1e-9 mol/s/Pa"},
     DimensionName{Dimension::rate_constant, "a rate constant", "mol/s/m3/Pa", "623 mol/s/m3/Pa"},
     DimensionName{Dimension::volumetric_rate, "a volumetric rate", "mol/s/m3", "623 mol/s/m3"},
+    DimensionName{Dimension::diffusivity, "a diffusivity", "m2/s", "3e-5 m2/s"},
 };
 
 const DimensionName& name_of(Dimension dimension) {

@@ -34,6 +34,7 @@ enum class Dimension {
   leak,
   rate_constant,
   volumetric_rate,
+  diffusivity,
 };
 
 // "a length such as \"2.99 mm\""

@@ -18,12 +18,12 @@ namespace pmr::cli {
 namespace {
 
 void summarise(const sim::Simulation& simulation, const RunRecord& record,
-               const std::string& status) {
+               const std::string& status, const io::Series& series) {
   auto provenance = record.provenance;
   provenance["state_hash"] = hexadecimal(io::state_hash(simulation.state()));
   sim::write_summary(record.folder,
                      {simulation.setup(), simulation.state(), simulation.nodes(),
-                      simulation.timings(), simulation.time_step(), status, provenance});
+                      simulation.timings(), series, simulation.time_step(), status, provenance});
 }
 
 void print_headline(const sim::Simulation& simulation, const sim::Balance& balance) {
@@ -57,8 +57,8 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
   const sim::Balance balance = sim::close_books(simulation.setup(), simulation.state());
   const bool closes = !sim::has_heat(simulation.setup()) || balance.closes();
   const bool completed = ending == sim::Ending::completed;
-  summarise(simulation, record, !closes ? "failed" : completed ? "completed" : "stopped");
   const io::Series series = io::read_series(record.folder);
+  summarise(simulation, record, !closes ? "failed" : completed ? "completed" : "stopped", series);
   instruments::write_instruments(record.folder, simulation.setup(), series,
                                  simulation.state().particles);
   print_headline(simulation, balance);
@@ -79,7 +79,7 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
 int finish_failed(const sim::Simulation& simulation, const RunRecord& record,
                   const std::string& why) {
   log_error(why);
-  summarise(simulation, record, "failed");
+  summarise(simulation, record, "failed", io::read_series(record.folder));
   log_info("the last checkpoint stands; see it again with: pmr resume " + record.folder.string());
   return failed;
 }

@@ -44,13 +44,14 @@ int analyse(const fs::path& folder, const fs::path& reference) {
   Case c = case_of_run(folder);
   if (!reference.empty()) casefile::set_reference(c, reference, folder.string());
   const State state = io::load_checkpoint(folder);
-  instruments::write_instruments(folder, c, io::read_series(folder), state.particles);
+  const io::Series series = io::read_series(folder);
+  instruments::write_instruments(folder, c, series, state.particles);
   auto provenance = header.provenance;
   provenance["state_hash"] = hexadecimal(io::state_hash(state));
   const std::string status = state.phase == Phase::done ? "completed" : "stopped";
   sim::write_summary(folder / "instruments",
                      {c, state, coupling::number_nodes(c, state.opening.particles), Timings{},
-                      physics::time_step(c).step, status, provenance});
+                      series, physics::time_step(c).step, status, provenance});
   print_mixture(c, state.particles);
   fmt::print("{}\n", (folder / "instruments").string());
   return done;

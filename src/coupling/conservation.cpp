@@ -1,4 +1,4 @@
-// The sums that the books hold the network to, in a solution of (I - gamma J) x = b.
+// The gas and the sums that the books hold the network to, in a solution of (I - gamma J) x = b.
 #include "coupling/linearisation.hpp"
 #include "pmr/base/parallel.hpp"
 
@@ -8,14 +8,14 @@ Linearisation::Sums Linearisation::sums(std::span<const double> v) const {
   const std::size_t delta = system_.delta_begin(), gas = system_.gas_begin();
   double energy = parallel_sum(capacity_.size(), [&](std::size_t id) { return v[id]; });
   for (std::size_t cell = system_.cell_begin(); cell < gas; ++cell) energy += v[cell];
+  for (std::size_t body = 0; body < system_.bodies(); ++body) energy += v[gas + 3 * body + 2];
   const double taken_out = parallel_sum(
       reactions_.size(), [&](std::size_t k) { return 0.5 * reactions_[k].iron * v[delta + k]; });
-  return system_.closed ? Sums(energy + v[gas + 2], -taken_out, v[gas])
-                        : Sums(energy, -taken_out, 0.0);
+  return {energy, -taken_out};
 }
 
 // Heat between bodies cancels; what is left crosses the border: to reservoirs, to the outside of
-// walls, by pump and leak, to the open air.
+// walls, by pump, leak and vent, to the open air.
 Linearisation::Sums Linearisation::sums_of_product(std::span<const double> v) const {
   std::vector<double> change;
   temperature_changes(v, change);
@@ -28,30 +28,75 @@ Linearisation::Sums Linearisation::sums_of_product(std::span<const double> v) co
     energy -=
         wall.area * wall.conductance.back() * v[system_.cell_begin() + last] / cell_capacity_[last];
   }
-  const std::size_t gas = system_.gas_begin();
-  const Vec3 dgas = system_.closed ? Vec3(v[gas], v[gas + 1], v[gas + 2]) : Vec3(Vec3::Zero());
-  const double pressure = pressure_row_.dot(dgas);
-  const auto released = parallel_sum(
-      reactions_.size(), Eigen::Vector2d(0.0, 0.0), [&](std::size_t k) {  // [W], [mol/s]
+  const Eigen::VectorXd gas = gas_part(v);
+  const std::vector<double> pressure = pressure_changes(gas);
+  // [W] into open air, [mol/s] in all
+  const auto released =
+      parallel_bins(reactions_.size(), 2, [&](std::size_t k, std::vector<double>& out) {
         const Reaction& r = reactions_[k];
-        const double dT = change[r.id];
-        const double release =
-            r.by_T * dT + r.by_delta * v[system_.delta_begin() + k] + r.by_pressure * pressure;
-        return Eigen::Vector2d(release * r.oxygen_heat + r.release * r.oxygen_capacity * dT,
-                               release);
+        const Given given = given_change(r, k, v, change, pressure);
+        if (r.body == System::no_body) out[0] += given.energy;
+        out[1] += given.oxygen;
       });
-  if (!system_.closed) return {energy - released[0], -released[1], 0.0};
-  const Vec3 border = gas_jacobian_ * dgas;
-  return {energy + border[2], -released[1], released[1] + border[0]};
+  const Eigen::VectorXd by_itself = gas_jacobian_ * gas;
+  for (Eigen::Index first = 0; first < by_itself.size(); first += 3) energy += by_itself[first + 2];
+  return {energy - released[0], -released[1]};
 }
 
-// How the sums answer to 1 K more of all particles, 1 more of all deltas (as warm as before) and 1
-// mol more of free oxygen.
+Eigen::VectorXd Linearisation::gas_product(std::span<const double> v) const {
+  std::vector<double> change;
+  temperature_changes(v, change);
+  const Eigen::VectorXd gas = gas_part(v);
+  const std::vector<double> pressure = pressure_changes(gas), film = film_changes(gas, change);
+  const auto from_bed = parallel_bins(reactions_.size(), 3 * system_.bodies(),
+                                      [&](std::size_t k, std::vector<double>& sums) {
+                                        const Reaction& r = reactions_[k];
+                                        const Given given = given_change(r, k, v, change, pressure);
+                                        sums[3 * r.body] += given.oxygen;
+                                        sums[3 * r.body + 2] += given.energy;
+                                      });
+  Eigen::VectorXd rows = gas_jacobian_ * gas;
+  for (std::size_t k = 0; k < from_bed.size(); ++k)
+    rows[static_cast<Eigen::Index>(k)] += from_bed[k];
+  for (std::size_t k = 0; k < film.size(); ++k)
+    rows[static_cast<Eigen::Index>(3 * k + 2)] -= film[k];
+  if (!system_.closed) return rows;
+  const std::size_t node = system_.nodes->gas();  // takes no part in radiation
+  rows[rows.size() - 1] +=
+      sum_row(system_.conductance, node, [&](std::uint32_t j, double w) { return w * change[j]; }) -
+      conduction_sum_[node] * change[node];
+  return rows;
+}
+
+// The gas' rows of J by the gas' unknowns, the particles as they are.
+Eigen::MatrixXd Linearisation::gas_by_gas() const {
+  Eigen::MatrixXd rows = gas_jacobian_;
+  const auto given = parallel_bins(reactions_.size(), 2 * system_.bodies(),
+                                   [&](std::size_t k, std::vector<double>& sums) {
+                                     const Reaction& r = reactions_[k];
+                                     sums[2 * r.body] += r.by_pressure;
+                                     sums[2 * r.body + 1] += r.by_pressure * r.oxygen_heat;
+                                   });
+  for (std::size_t body = 0; body < system_.bodies(); ++body) {
+    const auto first = static_cast<Eigen::Index>(3 * body);
+    rows.block<1, 3>(first, first) += given[2 * body] * pressure_row_[body].transpose();
+    rows.block<1, 3>(first + 2, first) += given[2 * body + 1] * pressure_row_[body].transpose() -
+                                          heat_loss(body) * temperature_row_[body].transpose();
+  }
+  return rows;
+}
+
+double Linearisation::heat_loss(std::size_t body) const {
+  return body < system_.pores.layers.size() ? system_.pores.layers[body].film
+                                            : conduction_sum_[system_.nodes->gas()];
+}
+
+// How the sums answer to 1 K more of all particles and to 1 more of all deltas (as warm as before),
+// the gas following.
 void Linearisation::prepare_sums(double gamma) {
   sums_gamma_ = gamma;
   warmth_.assign(system_.size(), 0.0);
   bound_.assign(system_.size(), 0.0);
-  free_.assign(system_.size(), 0.0);
   parallel_for(capacity_.size(), [&](std::size_t id) {
     if (system_.stores[id] != 0) warmth_[id] = capacity_[id];
   });
@@ -59,21 +104,33 @@ void Linearisation::prepare_sums(double gamma) {
     bound_[reactions_[k].id] = reactions_[k].delta_slope;
     bound_[system_.delta_begin() + k] = 1.0;
   });
-  if (system_.closed) free_[system_.gas_begin()] = 1.0;
-  Mat3 response = Mat3::Identity();
+  if (system_.bodies() > 0) {
+    const auto size = static_cast<Eigen::Index>(3 * system_.bodies());
+    gas_rows_.compute(Eigen::MatrixXd::Identity(size, size) - gamma * gas_by_gas());
+    for (std::vector<double>* move : {&warmth_, &bound_}) {
+      const Eigen::VectorXd follows = gas_rows_.solve(gamma * gas_product(*move));
+      for (Eigen::Index k = 0; k < size; ++k)
+        (*move)[system_.gas_begin() + static_cast<std::size_t>(k)] = follows[k];
+    }
+  }
+  Eigen::Matrix2d response = Eigen::Matrix2d::Identity();
   response.col(0) = sums(warmth_) - gamma * sums_of_product(warmth_);
   if (!reactions_.empty()) response.col(1) = sums(bound_) - gamma * sums_of_product(bound_);
-  if (system_.closed) response.col(2) = sums(free_) - gamma * sums_of_product(free_);
   sums_inverse_ = response.inverse();
 }
 
 void Linearisation::keep_sums(double gamma, std::span<const double> b, std::span<double> x) {
   if (gamma != sums_gamma_) prepare_sums(gamma);
+  if (system_.bodies() > 0) {
+    const Eigen::VectorXd missing = gas_part(b) - (gas_part(x) - gamma * gas_product(x));
+    const Eigen::VectorXd change = gas_rows_.solve(missing);
+    for (Eigen::Index k = 0; k < change.size(); ++k)
+      x[system_.gas_begin() + static_cast<std::size_t>(k)] += change[k];
+  }
   const Sums missing = sums(b) - (sums(x) - gamma * sums_of_product(x));
   const Sums part = sums_inverse_ * missing;
-  parallel_for(x.size(), [&](std::size_t i) {
-    x[i] += part[0] * warmth_[i] + part[1] * bound_[i] + part[2] * free_[i];
-  });
+  parallel_for(x.size(),
+               [&](std::size_t i) { x[i] += part[0] * warmth_[i] + part[1] * bound_[i]; });
 }
 
 }  // namespace pmr::coupling

@@ -1,8 +1,6 @@
 // The right-hand side of the network: temperatures, heat flows, reaction, gas.
-#include <Eigen/Core>
 #include <cmath>
 
-#include "chemistry/chamber.hpp"
 #include "coupling/system.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
@@ -10,37 +8,26 @@
 
 namespace pmr::coupling {
 
-GasRates gas_rates(const System& system, double t, std::span<const double, 3> y) {
-  const ChamberCase& chamber = *system.kase->chamber;
-  const chemistry::GasAmount gas{y[0], y[1]};
-  const double amount = chemistry::total(gas), x = chemistry::oxygen_fraction(gas);
-  GasRates r{};
-  r.temperature = chemistry::gas_temperature(gas, y[2], chamber.gas_temperature);
-  r.pressure = chemistry::gas_pressure(amount, r.temperature, system.free_volume);
-  r.oxygen_pressure = x * r.pressure;
-  const double out =
-      chamber.pump ? chemistry::pump_outflow(*chamber.pump, r.pressure, r.temperature, t) : 0.0;
-  const double in = chemistry::leak_inflow(chamber, r.pressure);
-  r.oxygen_pumped = x * out;
-  r.nitrogen_pumped = (1.0 - x) * out;
-  r.oxygen_leaked = chamber.oxygen_fraction * in;
-  r.nitrogen_leaked = (1.0 - chamber.oxygen_fraction) * in;
-  r.energy_pumped = chemistry::enthalpy({r.oxygen_pumped, r.nitrogen_pumped}, r.temperature);
-  r.energy_leaked =
-      chemistry::enthalpy({r.oxygen_leaked, r.nitrogen_leaked}, chamber.gas_temperature);
-  return r;
-}
-
 namespace {
 
 void find_gas(const System& system, double t, std::span<const double> y, Evaluation& at) {
-  if (!system.closed) {
+  if (system.bodies() == 0) {
     at.gas = {};
     at.gas.oxygen_pressure = system.air_oxygen_pressure;
     return;
   }
-  at.gas = gas_rates(system, t, std::span<const double, 3>(y.data() + system.gas_begin(), 3));
+  at.gas = gas_rates(system, t, y.subspan(system.gas_begin()));
   at.temperature[system.nodes->gas()] = at.gas.temperature;
+}
+
+// The gas of a layer warms the mean of its particles, and each of them by its share: particles of
+// one layer don't exchange heat by way of their gas, which gaps between them do already.
+void find_film_heat(const System& system, Evaluation& at) {
+  const auto mean =
+      layer_means(system.pores, [&](std::size_t node) { return at.temperature[node]; });
+  at.film_heat.resize(mean.size());
+  for (std::size_t k = 0; k < mean.size(); ++k)
+    at.film_heat[k] = system.pores.layers[k].film * (at.gas.body_temperature[k] - mean[k]);
 }
 
 void find_temperatures(const System& system, std::span<const double> y, Evaluation& at) {
@@ -68,6 +55,8 @@ void gather_heat(const System& system, Evaluation& at) {
                          [&](std::uint32_t j, double w) { return w * (T[j] - T[i]); });
     if (g != nullptr && i < g->rows())
       at.heat[i] += sum_row(*g, i, [&](std::uint32_t j, double G) { return G * (E[j] - E[i]); });
+    if (i < system.pores.share.size())
+      at.heat[i] += system.pores.share[i] * at.film_heat[system.pores.layer_of[i]];
   });
 }
 
@@ -76,9 +65,7 @@ bool react(const System& system, std::span<const double> y, Evaluation& at) {
   parallel_for(system.reactants.size(), [&](std::size_t k) {
     const Reactant& grain = system.reactants[k];
     const Redox& redox = *system.solid[grain.id].material->redox;
-    const double delta = y[system.delta_begin() + k];
-    at.release[k] = grain.volume * chemistry::oxygen_rate(redox, {at.temperature[grain.id], delta,
-                                                                  at.gas.oxygen_pressure});
+    at.release[k] = grain.volume * chemistry::oxygen_rate(redox, rate_state(system, y, at, k));
   });
   for (const double r : at.release)
     if (!std::isfinite(r)) return false;
@@ -101,6 +88,7 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
     const double square = at.temperature[i] * at.temperature[i];
     at.emission[i] = stefan_boltzmann * square * square;
   });
+  find_film_heat(system, at);
   gather_heat(system, at);
   return react(system, y, at);
 }
@@ -108,15 +96,18 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate) {
   parallel_for(system.nodes->solids(),
                [&](std::size_t id) { rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0; });
-  // [mol/s], [W] given to the gas
-  const Eigen::Vector2d given =
-      parallel_sum(system.reactants.size(), Eigen::Vector2d(0.0, 0.0), [&](std::size_t k) {
+  // [mol/s], 0, [W] given to each body of gas
+  const auto given = parallel_bins(
+      system.reactants.size(), 3 * system.bodies(), [&](std::size_t k, std::vector<double>& sums) {
         const Reactant& grain = system.reactants[k];
         const double heat =
             at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
         rate[grain.id] -= heat;
         rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.iron;
-        return Eigen::Vector2d(at.release[k], heat);
+        const std::size_t body = system.body_of(grain.id);
+        if (body == System::no_body) return;
+        sums[3 * body] += at.release[k];
+        sums[3 * body + 2] += heat;
       });
   for (const WallProfile& wall : system.profiles) {
     const std::size_t cells = wall.conductance.size();
@@ -124,12 +115,11 @@ void fill_rates(const System& system, const Evaluation& at, std::span<double> ra
                           {at.wall_temperature.data() + wall.first_cell, cells}, wall.conductance,
                           rate.subspan(system.cell_begin() + wall.first_cell, cells));
   }
-  if (!system.closed) return;
-  const GasRates& g = at.gas;
-  rate[system.gas_begin()] = given[0] - g.oxygen_pumped + g.oxygen_leaked;
-  rate[system.gas_begin() + 1] = g.nitrogen_leaked - g.nitrogen_pumped;
-  rate[system.gas_begin() + 2] =
-      given[1] - g.energy_pumped + g.energy_leaked + at.heat[system.nodes->gas()];
+  for (std::size_t k = 0; k < given.size(); ++k)
+    rate[system.gas_begin() + k] = at.gas.rate[k] + given[k];
+  for (std::size_t k = 0; k < at.film_heat.size(); ++k)
+    rate[system.gas_begin() + 3 * k + 2] -= at.film_heat[k];
+  if (system.closed) rate[system.chamber_begin() + 2] += at.heat[system.nodes->gas()];
 }
 
 }  // namespace pmr::coupling

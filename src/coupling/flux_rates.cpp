@@ -107,7 +107,7 @@ void sort_reaction(const System& system, const Evaluation& at, std::span<const d
   rates.oxygen_released += release;
   rates.reaction +=
       2.0 * release * chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
-  if (system.closed) return;
+  if (system.body_of(grain.id) != System::no_body) return;
   rates.oxygen_to_air += release;
   rates.gas_energy_out += release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
 }
@@ -117,8 +117,11 @@ void add_gas(const GasRates& gas, Fluxes& rates) {
   rates.nitrogen_pumped += gas.nitrogen_pumped;
   rates.oxygen_leaked += gas.oxygen_leaked;
   rates.nitrogen_leaked += gas.nitrogen_leaked;
-  rates.gas_energy_out += gas.energy_pumped;
-  rates.gas_energy_in += gas.energy_leaked;
+  rates.oxygen_to_air += gas.oxygen_to_air;
+  rates.nitrogen_to_air += gas.nitrogen_to_air;
+  rates.gas_energy_out += gas.energy_out;
+  rates.gas_energy_in += gas.energy_in;
+  rates.pump_work += gas.pump_power;
 }
 
 }  // namespace
@@ -141,7 +144,7 @@ Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const do
   add_to(rates, sort_all(system, kind, system.reactants.size(), [&](std::size_t k, Sorter& sorter) {
            sort_reaction(system, at, y, k, sorter.rates);
          }));
-  if (system.closed) add_gas(at.gas, rates);
+  if (system.bodies() > 0) add_gas(at.gas, rates);
   const Nodes& nodes = *system.nodes;
   rates.heat_exchanged = parallel_sum(nodes.particles, [&](std::size_t id) {
     double heat = 0.0;

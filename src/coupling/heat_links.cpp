@@ -20,21 +20,64 @@ struct Side {
   double temperature;  // [K]
 };
 
+// Conductivity of the gas and its jump length at a surface of full accommodation, over temperature:
+// the powers in them cost more than the gap itself. Linear between whole kelvins, within 3e-7.
+class GasTable {
+ public:
+  explicit GasTable(const Atmosphere& gas) {
+    const double x = gas.oxygen_fraction;
+    for (double T = lowest; T <= highest; T += 1.0)
+      at_.push_back(
+          {chemistry::gas_conductivity(x, T), chemistry::jump_length(x, T, gas.pressure, 1.0)});
+  }
+  struct Point {
+    double conductivity;  // [W/m/K]
+    double jump;          // [m]
+  };
+  Point operator()(double T) const {
+    const double place = std::clamp(T, lowest, highest) - lowest;
+    const auto k = std::min(static_cast<std::size_t>(place), at_.size() - 2);
+    const double part = place - static_cast<double>(k);
+    const Point &a = at_[k], &b = at_[k + 1];
+    return {a.conductivity + part * (b.conductivity - a.conductivity),
+            a.jump + part * (b.jump - a.jump)};
+  }
+
+ private:
+  static constexpr double lowest = 150.0, highest = 3000.0;  // [K]
+  std::vector<Point> at_;
+};
+
+// The gas round a link.
+struct Surroundings {
+  Atmosphere gas;
+  GasTable table;
+};
+
 // What all links of one moment share.
 struct Context {
   const Case& kase;
   const ConductionModel& model;
   const Outlook& outlook;
-  const Atmosphere& gas;
+  const PoreSpace& pores;
+  std::vector<Surroundings> gas;  // by layer of pores; the chamber's alone where there are none
+
+  const Surroundings& around(Node particle) const {
+    return gas[pores.is_resolved() ? pores.layer_of[particle] : 0];
+  }
 };
 
-// At both sides together [m].
-double jumps(const Context& context, const Side& one, const Side& two, double T) {
-  const double x = context.gas.oxygen_fraction;
-  const double path = chemistry::mean_free_path(x, T, context.gas.pressure);
-  const double gamma = chemistry::heat_capacity_ratio(x, T);
-  return chemistry::jump_length(path, gamma, one.material->accommodation) +
-         chemistry::jump_length(path, gamma, two.material->accommodation);
+Context context_of(const Case& c, const Outlook& outlook, const PoreSpace& pores) {
+  Context context{c, *c.models.conduction, outlook, pores, {}};
+  for (const Atmosphere& gas : outlook.pores) context.gas.push_back({gas, GasTable(gas)});
+  if (!pores.is_resolved()) context.gas.assign(1, {outlook.gas, GasTable(outlook.gas)});
+  return context;
+}
+
+// (2 - alpha)/alpha [1]: a jump length over that of full accommodation.
+double accommodation_factor(const Side& side) {
+  const double alpha = side.material->accommodation;
+  return (2.0 - alpha) / alpha;
 }
 
 double contact_factor(const ConductionModel& model) {
@@ -42,11 +85,11 @@ double contact_factor(const ConductionModel& model) {
 }
 
 // Conductances of a pair whose surfaces are `gap` [m] apart (negative: the soft overlap).
-HeatLink link(const Context& context, const Side& one, const Side& two, double gap) {
-  const double k1 =
-      physics::conductivity(one.material->conductivity, one.temperature, context.gas.pressure);
-  const double k2 =
-      physics::conductivity(two.material->conductivity, two.temperature, context.gas.pressure);
+HeatLink link(const Context& context, const Surroundings& around, const Side& one, const Side& two,
+              double gap) {
+  const double pressure = around.gas.pressure;
+  const double k1 = physics::conductivity(one.material->conductivity, one.temperature, pressure);
+  const double k2 = physics::conductivity(two.material->conductivity, two.temperature, pressure);
   const bool to_wall = two.radius == physics::plane_wall;
   const double reduced = physics::reduced_radius(one.radius, two.radius);
   const double radius = physics::contact_radius(
@@ -59,14 +102,14 @@ HeatLink link(const Context& context, const Side& one, const Side& two, double g
                                      context.model.contact_area == ContactArea::of_real_solid
                                          ? radius
                                          : physics::contact_radius(reduced, -gap, 1.0));
-  if (!context.model.gap || context.gas.pressure <= 0.0) return result;
-  const double T = 0.5 * (one.temperature + two.temperature);  // [K] of the gas between
+  if (!context.model.gap || pressure <= 0.0) return result;
+  const auto between = around.table(0.5 * (one.temperature + two.temperature));
   const double soft = gap + one.radius + (to_wall ? 0.0 : two.radius);
   result.gap = physics::gap_conductance(
       {one.radius, two.radius, physics::true_distance(one.radius, two.radius, soft), radius,
        context.model.bed_solid_fraction},
-      {k1, k2, chemistry::gas_conductivity(context.gas.oxygen_fraction, T),
-       jumps(context, one, two, T)});
+      {k1, k2, between.conductivity,
+       between.jump * (accommodation_factor(one) + accommodation_factor(two))});
   return result;
 }
 
@@ -90,7 +133,8 @@ std::vector<HeatLink> link_gaps(const Context& context, const Nodes& nodes, cons
   std::vector<HeatLink> links(gaps.all.size());
   parallel_for(links.size(), [&](std::size_t k) {
     const Gap& gap = gaps.all[k];
-    links[k] = link(context, side_of(context, p, gap.particle), other_side(gap), gap.width);
+    links[k] = link(context, context.around(nodes.particle(p.id[gap.particle])),
+                    side_of(context, p, gap.particle), other_side(gap), gap.width);
     links[k].a = gap.a;
     links[k].b = gap.b;
   });
@@ -107,9 +151,9 @@ void link_shells(const Context& context, const Nodes& nodes, const State& state,
     return k == 0 ? 1.0 : std::cbrt((parts - static_cast<double>(k) - 0.5) / parts);
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double k_solid =
-        physics::conductivity(side_of(context, p, i).material->conductivity,
-                              context.outlook.temperature[i], context.gas.pressure);
+    const double k_solid = physics::conductivity(
+        side_of(context, p, i).material->conductivity, context.outlook.temperature[i],
+        context.around(nodes.particle(p.id[i])).gas.pressure);
     for (std::size_t k = 0; k + 1 < nodes.shells; ++k) {
       const double outer = radius(k), inner = radius(k + 1);
       links.push_back({nodes.shell(p.id[i], k), nodes.shell(p.id[i], k + 1),
@@ -153,10 +197,10 @@ void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector
 }  // namespace
 
 std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
-                              const Gaps& gaps, const Outlook& outlook) {
+                              const Gaps& gaps, const Outlook& outlook, const PoreSpace& pores) {
   std::vector<HeatLink> links, others;
   if (c.models.conduction) {
-    const Context context{c, *c.models.conduction, outlook, outlook.gas};
+    const Context context = context_of(c, outlook, pores);
     links = link_gaps(context, nodes, state, gaps);
     link_shells(context, nodes, state, others);
   }

@@ -24,9 +24,11 @@ inline bool comes_before(const HeatLink& one, const HeatLink& two) {
 Csr symmetric_rows(const std::vector<HeatLink>& links, std::size_t nodes);
 
 // Links of the bed as it lies, in order: across its gaps, from shell to shell, bed top and walls to
-// the gas. Properties at the outlook's temperatures, of the gas at the mean of each pair.
+// the gas. Properties at the outlook's temperatures; gas at the mean temperature of each pair, and
+// as it is in the layer of pores around the first of them.
 std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state,
-                              const Gaps& gaps, const Outlook& outlook);
+                              const Gaps& gaps, const Outlook& outlook,
+                              const PoreSpace& pores = {});
 inline std::vector<HeatLink> conduct(const Case& c, const Nodes& nodes, const State& state) {
   return conduct(c, nodes, state, find_gaps(c, nodes, state), look_ahead(c, state, 0.0));
 }

@@ -32,12 +32,6 @@ std::vector<double> reservoir_sums(const System& system, const Csr* matrix) {
   return sums;
 }
 
-Vec3 net_gas_rates(const System& system, double t, const Vec3& gas) {
-  const GasRates g = gas_rates(system, t, std::span<const double, 3>(gas.data(), 3));
-  return {g.oxygen_leaked - g.oxygen_pumped, g.nitrogen_leaked - g.nitrogen_pumped,
-          g.energy_leaked - g.energy_pumped};
-}
-
 }  // namespace
 
 Linearisation::Linearisation(const System& system)
@@ -72,7 +66,7 @@ void Linearisation::fix(double t, std::span<const double> y, const Evaluation& a
     const Reactant& grain = system_.reactants[k];
     const double T = at.temperature[grain.id], delta = y[system_.delta_begin() + k];
     const auto slopes = chemistry::oxygen_rate_slopes(*system_.solid[grain.id].material->redox,
-                                                      {T, delta, at.gas.oxygen_pressure});
+                                                      rate_state(system_, y, at, k));
     const auto oxygen = chemistry::oxygen_heat(T);
     const double v = grain.volume;
     reactions_[k] = {v * slopes.rate,
@@ -83,31 +77,70 @@ void Linearisation::fix(double t, std::span<const double> y, const Evaluation& a
                      oxygen.heat_capacity,
                      chemistry::enthalpy_delta_slope(system_.solid[grain.id], T, delta),
                      grain.iron,
-                     grain.id};
+                     grain.id,
+                     system_.body_of(grain.id)};
   });
-  if (system_.closed) fix_gas(t, y);
+  fix_gas(t, y);
 }
 
 void Linearisation::fix_gas(double t, std::span<const double> y) {
-  const Vec3 gas(y[system_.gas_begin()], y[system_.gas_begin() + 1], y[system_.gas_begin() + 2]);
-  const GasRates g = gas_rates(system_, t, std::span<const double, 3>(gas.data(), 3));
-  const chemistry::GasAmount amount{gas[0], gas[1]};
-  const double capacity = chemistry::heat_capacity_constant_volume(amount, g.temperature);
-  temperature_row_ = Vec3(-chemistry::internal_energy({1.0, 0.0}, g.temperature),
-                          -chemistry::internal_energy({0.0, 1.0}, g.temperature), 1.0) /
-                     capacity;
-  pressure_row_ = gas[0] * temperature_row_;
-  pressure_row_[0] += g.temperature;
-  pressure_row_ *= gas_constant / system_.free_volume;
-
-  const double moles = 1e-6 * chemistry::total(amount);
-  const Vec3 step(moles, moles, moles * capacity * g.temperature / chemistry::total(amount));
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 shift = step[k] * Vec3::Unit(k);
-    gas_jacobian_.col(k) =
-        (net_gas_rates(system_, t, gas + shift) - net_gas_rates(system_, t, gas - shift)) /
-        (2.0 * step[k]);
+  const std::size_t bodies = system_.bodies();
+  const auto size = static_cast<Eigen::Index>(3 * bodies);
+  gas_jacobian_ = Eigen::MatrixXd::Zero(size, size);
+  temperature_row_.assign(bodies, Vec3::Zero());
+  pressure_row_.assign(bodies, Vec3::Zero());
+  if (bodies == 0) return;
+  const Eigen::VectorXd gas = gas_part(y);
+  const std::vector<double> temperature =
+      gas_rates(system_, t, {gas.data(), 3 * bodies}).body_temperature;
+  const auto rates_at = [&](const Eigen::VectorXd& shifted) {
+    const auto rate = gas_rates(system_, t, {shifted.data(), 3 * bodies}).rate;
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(rate.data(), size));
+  };
+  for (std::size_t body = 0; body < bodies; ++body) {
+    const auto first = static_cast<Eigen::Index>(3 * body);
+    const chemistry::GasAmount amount{gas[first], gas[first + 1]};
+    const double T = temperature[body], total = chemistry::total(amount);
+    const double capacity = chemistry::heat_capacity_constant_volume(amount, T);
+    const double volume = body < system_.pores.layers.size() ? system_.pores.layers[body].volume
+                                                             : system_.free_volume;
+    temperature_row_[body] = Vec3(-chemistry::internal_energy({1.0, 0.0}, T),
+                                  -chemistry::internal_energy({0.0, 1.0}, T), 1.0) /
+                             capacity;
+    pressure_row_[body] = gas[first] * temperature_row_[body];
+    pressure_row_[body][0] += T;
+    pressure_row_[body] *= gas_constant / volume;
+    const double moles = 1e-7 * total;
+    const Vec3 step(moles, moles, moles * capacity * T / total);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      Eigen::VectorXd up = gas, down = gas;
+      up[first + k] += step[k];
+      down[first + k] -= step[k];
+      gas_jacobian_.col(first + k) = (rates_at(up) - rates_at(down)) / (2.0 * step[k]);
+    }
   }
+}
+
+Eigen::VectorXd Linearisation::gas_part(std::span<const double> v) const {
+  return Eigen::Map<const Eigen::VectorXd>(v.data() + system_.gas_begin(),
+                                           static_cast<Eigen::Index>(3 * system_.bodies()));
+}
+
+std::vector<double> Linearisation::pressure_changes(const Eigen::VectorXd& gas) const {
+  std::vector<double> change(system_.bodies());
+  for (std::size_t body = 0; body < change.size(); ++body)
+    change[body] = pressure_row_[body].dot(gas.segment<3>(static_cast<Eigen::Index>(3 * body)));
+  return change;
+}
+
+std::vector<double> Linearisation::film_changes(const Eigen::VectorXd& gas,
+                                                const std::vector<double>& change) const {
+  auto heat = layer_means(system_.pores, [&](std::size_t node) { return change[node]; });
+  for (std::size_t k = 0; k < heat.size(); ++k) {
+    const double dT = temperature_row_[k].dot(gas.segment<3>(static_cast<Eigen::Index>(3 * k)));
+    heat[k] = system_.pores.layers[k].film * (dT - heat[k]);
+  }
+  return heat;
 }
 
 void Linearisation::temperature_changes(std::span<const double> v,
@@ -123,9 +156,11 @@ void Linearisation::temperature_changes(std::span<const double> v,
   });
   for (const WallProfile& wall : system_.profiles)
     change[wall.node] = v[system_.cell_begin() + wall.first_cell] / cell_capacity_[wall.first_cell];
-  if (system_.closed)
-    change[system_.nodes->gas()] = temperature_row_.dot(
-        Vec3(v[system_.gas_begin()], v[system_.gas_begin() + 1], v[system_.gas_begin() + 2]));
+  if (system_.closed) {
+    const double* const chamber = v.data() + system_.chamber_begin();
+    change[system_.nodes->gas()] =
+        temperature_row_.back().dot(Vec3(chamber[0], chamber[1], chamber[2]));
+  }
 }
 
 double Linearisation::heat_change(std::size_t i, const std::vector<double>& change,
@@ -169,6 +204,16 @@ Linearisation::Mat32 Linearisation::gas_slopes(const Reaction& r) const {
   return slopes;
 }
 
+Linearisation::Given Linearisation::given_change(const Reaction& r, std::size_t k,
+                                                 std::span<const double> v,
+                                                 const std::vector<double>& change,
+                                                 const std::vector<double>& pressure) const {
+  const double dT = change[r.id];
+  const double release = r.by_T * dT + r.by_delta * v[system_.delta_begin() + k] +
+                         (r.body == System::no_body ? 0.0 : r.by_pressure * pressure[r.body]);
+  return {release, release * r.oxygen_heat + r.release * r.oxygen_capacity * dT};
+}
+
 void Linearisation::product(std::span<const double> v, std::span<double> jv) const {
   std::vector<double> change, heat(system_.nodes->count()), emission_change(heat.size());
   temperature_changes(v, change);
@@ -176,26 +221,29 @@ void Linearisation::product(std::span<const double> v, std::span<double> jv) con
                [&](std::size_t i) { emission_change[i] = emission_slope_[i] * change[i]; });
   parallel_for(heat.size(),
                [&](std::size_t i) { heat[i] = heat_change(i, change, emission_change); });
-  parallel_for(capacity_.size(),
-               [&](std::size_t id) { jv[id] = system_.stores[id] != 0 ? heat[id] : 0.0; });
-  const std::size_t gas = system_.gas_begin();
-  const Vec3 dgas = system_.closed ? Vec3(v[gas], v[gas + 1], v[gas + 2]) : Vec3(Vec3::Zero());
-  const double pressure = pressure_row_.dot(dgas);
-  Vec3 to_gas = gas_jacobian_ * dgas;
-  to_gas += parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
-    const Reaction& r = reactions_[k];
-    const double dT = change[r.id];
-    const double release =
-        r.by_T * dT + r.by_delta * v[system_.delta_begin() + k] + r.by_pressure * pressure;
-    const double energy = release * r.oxygen_heat + r.release * r.oxygen_capacity * dT;
-    jv[r.id] -= energy;
-    jv[system_.delta_begin() + k] = 2.0 * release / r.iron;
-    return Vec3(release, 0.0, energy);
+  const Eigen::VectorXd gas = gas_part(v);
+  const std::vector<double> pressure = pressure_changes(gas), film = film_changes(gas, change);
+  const PoreSpace& pores = system_.pores;
+  parallel_for(capacity_.size(), [&](std::size_t id) {
+    jv[id] = system_.stores[id] != 0 ? heat[id] : 0.0;
+    if (id < pores.share.size()) jv[id] += pores.share[id] * film[pores.layer_of[id]];
   });
+  const auto from_bed = parallel_bins(reactions_.size(), 3 * system_.bodies(),
+                                      [&](std::size_t k, std::vector<double>& sums) {
+                                        const Reaction& r = reactions_[k];
+                                        const Given given = given_change(r, k, v, change, pressure);
+                                        jv[r.id] -= given.energy;
+                                        jv[system_.delta_begin() + k] = 2.0 * given.oxygen / r.iron;
+                                        if (r.body == System::no_body) return;
+                                        sums[3 * r.body] += given.oxygen;
+                                        sums[3 * r.body + 2] += given.energy;
+                                      });
   wall_product(heat, v, jv);
-  if (!system_.closed) return;
-  to_gas[2] += heat[system_.nodes->gas()];
-  for (std::size_t k = 0; k < 3; ++k) jv[gas + k] = to_gas[static_cast<Eigen::Index>(k)];
+  const Eigen::VectorXd by_itself = gas_jacobian_ * gas;
+  for (std::size_t k = 0; k < from_bed.size(); ++k)
+    jv[system_.gas_begin() + k] = by_itself[static_cast<Eigen::Index>(k)] + from_bed[k];
+  for (std::size_t k = 0; k < film.size(); ++k) jv[system_.gas_begin() + 3 * k + 2] -= film[k];
+  if (system_.closed) jv[system_.chamber_begin() + 2] += heat[system_.nodes->gas()];
 }
 
 }  // namespace pmr::coupling

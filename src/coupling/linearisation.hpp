@@ -1,10 +1,13 @@
 // The Jacobian of the network as a product and as a preconditioner.
 //
-// J v is exact but for the 3 x 3 block of the gas, which is a central difference of gas_rates().
-// The preconditioner P ~ I - gamma J keeps, per particle, the 2 x 2 block of (enthalpy, delta) with
-// the diagonal of the heat network, per wall its tridiagonal column, and couples the gas to every
-// particle by a 3 x 3 Schur complement: the pressure answers all granules at once.
+// J v is exact but for the block of the gas by itself, which is a central difference of
+// gas_rates(). The preconditioner P ~ I - gamma J keeps, per particle, the 2 x 2 block of
+// (enthalpy, delta) with the diagonal of the heat network, per wall its tridiagonal column, and
+// couples the gas to every particle by a Schur complement of three rows a body of gas: the pressure
+// answers all granules at once. Of the films between pores and particles it keeps what the gas
+// feels.
 #pragma once
+#include <Eigen/LU>
 #include <span>
 #include <vector>
 
@@ -21,9 +24,10 @@ class Linearisation {
   void product(std::span<const double> v, std::span<double> jv) const;
   void prepare(double gamma);  // [s] factorises P at the fixed point
   void precondition(std::span<const double> r, std::span<double> z) const;
-  // Moves x, an approximate solution of (I - gamma J) x = b, by a little warmth and a little oxygen
-  // of all particles and a little oxygen of the gas, so that the three sums of the books hold
-  // exactly: what is left of the residual never shows there, however few Krylov iterations it took.
+  // Mends x, an approximate solution of (I - gamma J) x = b: the rows of the gas are solved for the
+  // gas, given the particles; then x moves by a little warmth and a little oxygen of all particles,
+  // the gas following, so that the sums of energy and bound oxygen hold exactly. What is left of
+  // the residual never shows in the books, however few Krylov iterations it took.
   void keep_sums(double gamma, std::span<const double> b, std::span<double> x);
 
  private:
@@ -34,18 +38,33 @@ class Linearisation {
     double delta_slope;                           // dH/d(delta) at constant T [J]
     double iron;                                  // [mol]
     std::uint32_t id;
+    std::size_t body;  // of gas around it
   };
   struct Block {
     double a, b, c, d;  // rows of the inverse of the 2 x 2 block
   };
   using Mat32 = Eigen::Matrix<double, 3, 2>;
-  using Sums = Vec3;  // of energy [J], of oxygen in the solids and in the gas [mol]
+  using Sums = Eigen::Vector2d;  // of energy [J] and of oxygen in the solids [mol]
+  struct Given {
+    double oxygen, energy;  // [mol/s], [W] change of what a reactant gives to its gas
+  };
 
   Sums sums(std::span<const double> v) const;
   Sums sums_of_product(std::span<const double> v) const;  // of J v: flows over the border only
 
+  Given given_change(const Reaction& r, std::size_t k, std::span<const double> v,
+                     const std::vector<double>& change, const std::vector<double>& pressure) const;
+  Eigen::MatrixXd gas_by_gas() const;
+  double heat_loss(std::size_t body) const;  // [W/K] of a body of gas to what is solid
+  Eigen::VectorXd gas_product(std::span<const double> v) const;  // the gas' rows of J v
   void prepare_sums(double gamma);
   void fix_gas(double t, std::span<const double> y);
+  // Change of pO2 [Pa] in each body of gas with its three unknowns.
+  std::vector<double> pressure_changes(const Eigen::VectorXd& gas) const;
+  // [W] from the gas of each layer of pores by changes of the gas and of temperatures [K].
+  std::vector<double> film_changes(const Eigen::VectorXd& gas,
+                                   const std::vector<double>& change) const;
+  Eigen::VectorXd gas_part(std::span<const double> v) const;
   void temperature_changes(std::span<const double> v, std::vector<double>& change) const;
   // [W] that a node receives by changes of temperature [K] and of emission [W/m2] of all.
   double heat_change(std::size_t node, const std::vector<double>& change,
@@ -64,17 +83,18 @@ class Linearisation {
   std::vector<double> capacity_;                       // [J/K] by particle id
   std::vector<double> cell_capacity_;                  // [J/K] by wall cell
   std::vector<Reaction> reactions_;
-  Mat3 gas_jacobian_ = Mat3::Zero();     // of the gas alone, by (n_O2, n_N2, U)
-  Vec3 temperature_row_ = Vec3::Zero();  // dT_gas/d(n_O2, n_N2, U)
-  Vec3 pressure_row_ = Vec3::Zero();     // dpO2/d(n_O2, n_N2, U)
-  double gamma_ = 0.0;                   // [s]
-  std::vector<double> particle_pivot_;   // [1] of particles that do not react, by id
-  std::vector<Block> blocks_;            // by reactant
+  Eigen::MatrixXd gas_jacobian_;        // of the gas alone, by its unknowns
+  std::vector<Vec3> temperature_row_;   // by body: dT/d(n_O2, n_N2, U)
+  std::vector<Vec3> pressure_row_;      // by body: dpO2/d(n_O2, n_N2, U)
+  double gamma_ = 0.0;                  // [s]
+  std::vector<double> particle_pivot_;  // [1] of particles that do not react, by id
+  std::vector<Block> blocks_;           // by reactant
   std::vector<double> wall_lower_, wall_pivot_, wall_upper_;  // LU of the columns, by cell
-  Mat3 gas_inverse_ = Mat3::Identity();                       // of the Schur complement
-  double sums_gamma_ = 0.0;                    // [s] that sums_inverse_ stands for; 0: none
-  std::vector<double> warmth_, bound_, free_;  // three small moves, as unknowns
-  Mat3 sums_inverse_ = Mat3::Identity();       // of the sums' answers to them
+  Eigen::PartialPivLU<Eigen::MatrixXd> gas_solver_;           // of the Schur complement
+  double sums_gamma_ = 0.0;             // [s] that sums_inverse_ stands for; 0: none
+  std::vector<double> warmth_, bound_;  // two small moves, as unknowns
+  Eigen::Matrix2d sums_inverse_ = Eigen::Matrix2d::Identity();  // of the sums' answers to them
+  Eigen::PartialPivLU<Eigen::MatrixXd> gas_rows_;               // I - gamma J of the gas by the gas
 };
 
 }  // namespace pmr::coupling

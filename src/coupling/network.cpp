@@ -37,15 +37,19 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
       atol[system.cell_begin() + wall.first_cell + j] =
           model.temperature_tolerance * column.capacity[j] * wall.area;
   }
-  if (!system.closed) return atol;
-  const double pascal = system.free_volume / (gas_constant * at.gas.temperature);  // [mol/Pa]
-  atol[system.gas_begin()] = atol[system.gas_begin() + 1] = model.relative_tolerance * pascal;
-  atol[system.gas_begin() + 2] = model.relative_tolerance * system.free_volume;  // [J], U ~ p V
+  for (std::size_t body = 0; body < system.bodies(); ++body) {
+    const double volume =
+        body < system.pores.layers.size() ? system.pores.layers[body].volume : system.free_volume;
+    const double pascal = volume / (gas_constant * at.gas.body_temperature[body]);  // [mol/Pa]
+    double* const of_body = atol.data() + system.gas_begin() + 3 * body;
+    of_body[0] = of_body[1] = model.relative_tolerance * pascal;
+    of_body[2] = model.relative_tolerance * volume;  // [J], U ~ p V
+  }
   return atol;
 }
 
-// Weights 1/(rtol |y| + atol) of CVODES' root mean square norm. The gas' three unknowns stand for
-// the whole chamber and must not drown among the particles': they weigh as if they were alone.
+// Weights 1/(rtol |y| + atol) of CVODES' root mean square norm. The gas' unknowns stand for
+// whole bodies of it and must not drown among the particles': each weighs as if it were alone.
 void weigh(const System& system, double relative, const std::vector<double>& absolute, In y,
            Out weight) {
   const double alone = std::sqrt(static_cast<double>(y.size()));
@@ -95,8 +99,9 @@ class Looked {
 }  // namespace
 
 NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& outlook,
-                            std::vector<HeatLink> links, double from, double until, State& state) {
-  const System system = assemble_system(c, nodes, state, outlook, std::move(links));
+                            std::vector<HeatLink> links, const PoreSpace& pores, double from,
+                            double until, State& state) {
+  const System system = assemble_system(c, nodes, state, outlook, std::move(links), pores);
   std::vector<double> y = pack(system, state);
   if (y.empty()) return {};
   Looked looked(system);
@@ -134,8 +139,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   if (system.closed && c.chamber->pump)
     problem.event = [&, reached = c.chamber->pump->set_point * (1.0 + chemistry::control_band)](
                         double t, In now) {
-      const std::span<const double, 3> gas(now.data() + system.gas_begin(), 3);
-      return gas_rates(system, t, gas).pressure - reached;
+      return gas_rates(system, t, now.subspan(system.gas_begin())).pressure - reached;
     };
   problem.quadratures = as_vector({}).size();
 

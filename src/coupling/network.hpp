@@ -20,6 +20,7 @@ struct NetworkWork {
 // From state.time to `until` [s]: temperatures, delta, walls, gas and fluxes change; state.time
 // stays (the caller owns the clock). NumericsError when CVODES cannot go on; state untouched then.
 NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& outlook,
-                            std::vector<HeatLink> links, double from, double until, State& state);
+                            std::vector<HeatLink> links, const PoreSpace& pores, double from,
+                            double until, State& state);
 
 }  // namespace pmr::coupling

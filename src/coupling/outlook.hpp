@@ -4,14 +4,15 @@
 #pragma once
 #include <vector>
 
-#include "coupling/thermal_state.hpp"
+#include "coupling/bed_gas.hpp"
 
 namespace pmr::coupling {
 
 struct Outlook {
   std::vector<double> temperature;  // [K] by particle index
   WallNodes walls;
-  Atmosphere gas;
+  Atmosphere gas;                 // of the chamber
+  std::vector<Atmosphere> pores;  // of each layer of the bed, where they are resolved
 };
 
 // `ahead` [s] of the state; 0: as things are.
@@ -27,6 +28,7 @@ class TrendWatch {
   std::vector<double> temperature_;  // [K] by particle index
   std::vector<double> cell_energy_;  // [J] by wall cell
   double pressure_;                  // [Pa]
+  std::vector<Atmosphere> pores_;
 };
 
 }  // namespace pmr::coupling

@@ -8,7 +8,7 @@ void Linearisation::prepare(double gamma) {
   gamma_ = gamma;
   factor_particles(gamma);
   factor_walls(gamma);
-  if (system_.closed) factor_gas(gamma);
+  if (system_.bodies() > 0) factor_gas(gamma);
 }
 
 void Linearisation::factor_particles(double gamma) {
@@ -59,44 +59,69 @@ void Linearisation::factor_walls(double gamma) {
 }
 
 void Linearisation::factor_gas(double gamma) {
-  // The gas by itself, its own heat loss included.
-  Mat3 schur = Mat3::Identity() - gamma * gas_jacobian_;
-  schur.row(2) += gamma * conduction_sum_[system_.nodes->gas()] * temperature_row_.transpose();
-  // What the bed gives off per pressure, its own reply included.
-  const Vec3 answer = parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
-    const Reaction& r = reactions_[k];
-    const Eigen::Vector2d push(gamma * r.by_pressure * r.oxygen_heat,
-                               -gamma * 2.0 / r.iron * r.by_pressure);
-    const Block& b = blocks_[k];
-    const Eigen::Vector2d reply(b.a * push[0] + b.b * push[1], b.c * push[0] + b.d * push[1]);
-    return Vec3(Vec3(-r.by_pressure, 0.0, -r.by_pressure * r.oxygen_heat) + gas_slopes(r) * reply);
-  });
-  schur += gamma * answer * pressure_row_.transpose();
-  gas_inverse_ = schur.inverse();
+  const std::size_t bodies = system_.bodies();
+  Eigen::MatrixXd schur =
+      Eigen::MatrixXd::Identity(gas_jacobian_.rows(), gas_jacobian_.cols()) - gamma * gas_by_gas();
+  // What the granules reply to a pressure.
+  const auto answer =
+      parallel_bins(reactions_.size(), 3 * bodies, [&](std::size_t k, std::vector<double>& sums) {
+        const Reaction& r = reactions_[k];
+        const Eigen::Vector2d push(gamma * r.by_pressure * r.oxygen_heat,
+                                   -gamma * 2.0 / r.iron * r.by_pressure);
+        const Block& b = blocks_[k];
+        const Eigen::Vector2d reply(b.a * push[0] + b.b * push[1], b.c * push[0] + b.d * push[1]);
+        const Vec3 given = gas_slopes(r) * reply;
+        for (std::size_t row = 0; row < 3; ++row)
+          sums[3 * r.body + row] += given[static_cast<Eigen::Index>(row)];
+      });
+  for (std::size_t body = 0; body < bodies; ++body) {
+    const auto first = static_cast<Eigen::Index>(3 * body);
+    schur.block<3, 3>(first, first) +=
+        gamma * Vec3(answer[3 * body], answer[3 * body + 1], answer[3 * body + 2]) *
+        pressure_row_[body].transpose();
+  }
+  gas_solver_.compute(schur);
 }
 
 void Linearisation::precondition(std::span<const double> r, std::span<double> z) const {
   const std::size_t delta = system_.delta_begin(), gas = system_.gas_begin();
   parallel_for(capacity_.size(), [&](std::size_t id) { z[id] = r[id] / particle_pivot_[id]; });
-  Vec3 dgas = Vec3::Zero();
-  double pressure = 0.0;
-  if (system_.closed) {
-    dgas = Vec3(r[gas], r[gas + 1], r[gas + 2]);
-    dgas += gamma_ * parallel_sum(reactions_.size(), Vec3(Vec3::Zero()), [&](std::size_t k) {
-              const Block& b = blocks_[k];
-              const double h = r[reactions_[k].id], d = r[delta + k];
-              return Vec3(gas_slopes(reactions_[k]) *
-                          Eigen::Vector2d(b.a * h + b.b * d, b.c * h + b.d * d));
-            });
-    dgas = gas_inverse_ * dgas;
-    pressure = pressure_row_.dot(dgas);
-    for (std::size_t k = 0; k < 3; ++k) z[gas + k] = dgas[static_cast<Eigen::Index>(k)];
+  std::vector<double> pressure;
+  if (system_.bodies() > 0) {
+    Eigen::VectorXd dgas = gas_part(r);
+    const auto given = parallel_bins(
+        reactions_.size(), 3 * system_.bodies(), [&](std::size_t k, std::vector<double>& sums) {
+          const Reaction& grain = reactions_[k];
+          const Block& b = blocks_[k];
+          const double h = r[grain.id], d = r[delta + k];
+          z[grain.id] = b.a * h + b.b * d;
+          z[delta + k] = b.c * h + b.d * d;
+          const Vec3 part = gas_slopes(grain) * Eigen::Vector2d(z[grain.id], z[delta + k]);
+          for (std::size_t row = 0; row < 3; ++row)
+            sums[3 * grain.body + row] += part[static_cast<Eigen::Index>(row)];
+        });
+    for (std::size_t k = 0; k < given.size(); ++k)
+      dgas[static_cast<Eigen::Index>(k)] += gamma_ * given[k];
+    const auto warming = layer_means(system_.pores, [&](std::size_t node) {
+      const std::uint32_t k = system_.reactant_of[node];
+      const double bound =
+          k == System::no_reactant ? 0.0 : reactions_[k].delta_slope * z[delta + k];
+      return (z[node] - bound) / capacity_[node];
+    });
+    for (std::size_t k = 0; k < warming.size(); ++k)
+      dgas[static_cast<Eigen::Index>(3 * k + 2)] +=
+          gamma_ * system_.pores.layers[k].film * warming[k];
+    dgas = gas_solver_.solve(dgas);
+    pressure = pressure_changes(dgas);
+    for (std::size_t k = 0; k < given.size(); ++k) z[gas + k] = dgas[static_cast<Eigen::Index>(k)];
   }
   parallel_for(reactions_.size(), [&](std::size_t k) {
     const Reaction& grain = reactions_[k];
     const Block& b = blocks_[k];
-    const double h = r[grain.id] - gamma_ * grain.by_pressure * grain.oxygen_heat * pressure;
-    const double d = r[delta + k] + gamma_ * 2.0 / grain.iron * grain.by_pressure * pressure;
+    const double push =  // [mol/s] released by the change of pressure
+        grain.body == System::no_body ? 0.0 : grain.by_pressure * pressure[grain.body];
+    const double h = r[grain.id] - gamma_ * push * grain.oxygen_heat;
+    const double d = r[delta + k] + gamma_ * 2.0 / grain.iron * push;
     z[grain.id] = b.a * h + b.b * d;
     z[delta + k] = b.c * h + b.d * d;
   });

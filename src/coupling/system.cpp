@@ -35,7 +35,7 @@ void list_particles(const Case& c, const State& state, System& system) {
     if (i == System::no_reactant || !system.solid[node].material->redox) continue;
     const double r = p.radius[i];
     system.reactant_of[node] = static_cast<std::uint32_t>(system.reactants.size());
-    system.reactants.push_back({node, 4.0 / 3.0 * pi * r * r * r / parts, p.iron[i] / parts});
+    system.reactants.push_back({node, 4.0 / 3.0 * pi * r * r * r / parts, p.iron[i] / parts, r});
   }
 }
 
@@ -64,7 +64,7 @@ void list_profiles(const Case& c, const Outlook& outlook, System& system) {
 }  // namespace
 
 System assemble_system(const Case& c, const Nodes& nodes, const State& state,
-                       const Outlook& outlook, std::vector<HeatLink> links) {
+                       const Outlook& outlook, std::vector<HeatLink> links, PoreSpace pores) {
   System system;
   system.kase = &c;
   system.nodes = &nodes;
@@ -78,9 +78,10 @@ System assemble_system(const Case& c, const Nodes& nodes, const State& state,
     system.held_temperature[nodes.surroundings()] = c.models.radiation->surroundings;
   list_particles(c, state, system);
   list_profiles(c, outlook, system);
+  system.pores = std::move(pores);
   system.closed = state.gas.closed;
   system.stores[nodes.gas()] = system.closed ? 1 : 0;
-  system.free_volume = system.closed ? gas_free_volume(c, state.particles) : 0.0;
+  system.free_volume = system.closed ? gas_free_volume(c, state) : 0.0;
   system.air_oxygen_pressure = air.oxygen_fraction * air.pressure;
   return system;
 }
@@ -98,10 +99,17 @@ std::vector<double> pack(const System& system, const State& state) {
     }
   std::copy(state.walls.cell_energy.begin(), state.walls.cell_energy.end(),
             y.begin() + static_cast<std::ptrdiff_t>(system.cell_begin()));
+  const Gas& gas = state.gas;
+  for (std::size_t k = 0; k < system.pores.layers.size(); ++k) {
+    double* const layer = y.data() + system.gas_begin() + 3 * k;
+    layer[0] = gas.pore_oxygen[k];
+    layer[1] = gas.pore_nitrogen[k];
+    layer[2] = gas.pore_energy[k];
+  }
   if (system.closed) {
-    y[system.gas_begin()] = state.gas.oxygen;
-    y[system.gas_begin() + 1] = state.gas.nitrogen;
-    y[system.gas_begin() + 2] = state.gas.energy;
+    y[system.chamber_begin()] = gas.oxygen;
+    y[system.chamber_begin() + 1] = gas.nitrogen;
+    y[system.chamber_begin() + 2] = gas.energy;
   }
   return y;
 }
@@ -128,11 +136,17 @@ void unpack(const System& system, std::span<const double> y, State& state) {
   });
   for (std::size_t k = 0; k < system.nodes->cells; ++k)
     state.walls.cell_energy[k] = y[system.cell_begin() + k];
-  if (system.closed) {
-    state.gas.oxygen = y[system.gas_begin()];
-    state.gas.nitrogen = y[system.gas_begin() + 1];
-    state.gas.energy = y[system.gas_begin() + 2];
+  Gas& gas = state.gas;
+  for (std::size_t k = 0; k < system.pores.layers.size(); ++k) {
+    const double* const layer = y.data() + system.gas_begin() + 3 * k;
+    gas.pore_oxygen[k] = layer[0];
+    gas.pore_nitrogen[k] = layer[1];
+    gas.pore_energy[k] = layer[2];
   }
+  if (!system.closed) return;
+  gas.oxygen = y[system.chamber_begin()];
+  gas.nitrogen = y[system.chamber_begin() + 1];
+  gas.energy = y[system.chamber_begin() + 2];
 }
 
 }  // namespace pmr::coupling

@@ -2,7 +2,8 @@
 // interval, where each unknown stands, and the physics of its right-hand side.
 //
 // Unknowns y: enthalpy of each solid node [J], delta of each that reacts [1], energy of each
-// wall cell [J], and for a closed chamber n_O2 [mol], n_N2 [mol], U [J]. With energies and moles as
+// wall cell [J], and of each body of gas n_O2 [mol], n_N2 [mol], U [J]: the layers of the bed's
+// pores where they are resolved, then the chamber once it is closed. With energies and moles as
 // unknowns, the books are linear invariants of the system, which BDF keeps.
 #pragma once
 #include <array>
@@ -12,8 +13,10 @@
 #include "chemistry/gas.hpp"
 #include "chemistry/kinetics.hpp"
 #include "chemistry/solids.hpp"
+#include "coupling/bed_gas.hpp"
 #include "coupling/heat_links.hpp"
 #include "coupling/nodes.hpp"
+#include "pmr/base/parallel.hpp"
 
 namespace pmr::coupling {
 
@@ -22,6 +25,7 @@ struct Reactant {
   Node id;
   double volume;  // [m3]
   double iron;    // [mol]
+  double radius;  // [m] of the particle
 };
 
 // A surface patch with a transient profile.
@@ -46,15 +50,24 @@ struct System {
   std::vector<WallProfile> profiles;
   std::vector<char> stores;              // by node: 1 where heat is stored, 0 for reservoirs
   std::vector<double> held_temperature;  // [K] by node, of reservoirs; of particles the first guess
+  PoreSpace pores;                       // of the bed; not resolved: its gas is the chamber's
   bool closed;                           // the chamber holds gas of its own
-  double free_volume;                    // [m3]
+  double free_volume;                    // [m3] of the chamber without the pores
   double air_oxygen_pressure;            // [Pa] while open
 
   static constexpr std::uint32_t no_reactant = ~std::uint32_t{0};
   std::size_t delta_begin() const { return solid.size(); }
   std::size_t cell_begin() const { return delta_begin() + reactants.size(); }
   std::size_t gas_begin() const { return cell_begin() + nodes->cells; }
-  std::size_t size() const { return gas_begin() + (closed ? 3 : 0); }
+  std::size_t bodies() const { return pores.layers.size() + (closed ? 1 : 0); }  // of gas
+  std::size_t chamber_begin() const { return gas_begin() + 3 * pores.layers.size(); }
+  std::size_t size() const { return gas_begin() + 3 * bodies(); }
+  // The body of gas around a solid node; `no_body`: open air.
+  std::size_t body_of(Node node) const {
+    if (pores.is_resolved()) return pores.layer_of[node % nodes->particles];
+    return closed ? 0 : no_body;
+  }
+  static constexpr std::size_t no_body = ~std::size_t{0};
 };
 
 // delta [1] of a particle: an unknown if it reacts, else what it was.
@@ -65,19 +78,24 @@ inline double delta_of(const System& system, std::span<const double> y, std::siz
 
 // Walls conduct as they will in the outlook.
 System assemble_system(const Case& c, const Nodes& nodes, const State& state,
-                       const Outlook& outlook, std::vector<HeatLink> links);
+                       const Outlook& outlook, std::vector<HeatLink> links, PoreSpace pores = {});
 
 std::vector<double> pack(const System& system, const State& state);
 void unpack(const System& system, std::span<const double> y, State& state);
 
-// Rates of the chamber's gas, without what the bed gives off: d(n_O2, n_N2, U)/dt.
+// What the gas does by itself, without what the bed gives off and without heat from solids.
 struct GasRates {
-  double temperature, pressure, oxygen_pressure;  // [K], [Pa], [Pa]
+  double temperature, pressure, oxygen_pressure;  // [K], [Pa], [Pa] of the chamber or the open air
   double oxygen_pumped, nitrogen_pumped;          // [mol/s]
-  double oxygen_leaked, nitrogen_leaked;          // [mol/s]
-  double energy_pumped, energy_leaked;            // [W]
+  double oxygen_leaked, nitrogen_leaked;          // [mol/s] by leak and vent
+  double oxygen_to_air, nitrogen_to_air;          // [mol/s] into open air or out by the vent
+  double energy_out, energy_in;                   // [W] with all of them
+  double pump_power;                              // [W]
+  std::vector<double> body_temperature;           // [K] by body of gas
+  std::vector<double> body_oxygen_pressure;       // [Pa] likewise
+  std::vector<double> rate;                       // d(n_O2, n_N2, U)/dt of each
 };
-GasRates gas_rates(const System& system, double t, std::span<const double, 3> gas);
+GasRates gas_rates(const System& system, double t, std::span<const double> gas);
 
 // Everything the right-hand side and the quadratures are made from, at one (t, y).
 struct Evaluation {
@@ -86,8 +104,30 @@ struct Evaluation {
   std::vector<double> heat;              // [W] received by each node by conduction and radiation
   std::vector<double> release;           // [mol O2/s] of each reactant
   std::vector<double> wall_temperature;  // [K] by wall cell
+  std::vector<double> film_heat;         // [W] from the gas of each layer of pores to its solids
   GasRates gas{};
+
+  double oxygen_pressure(std::size_t body) const {  // [Pa]
+    return body == System::no_body ? gas.oxygen_pressure : gas.body_oxygen_pressure[body];
+  }
 };
+
+// Mean over the particles of each layer of pores, weighed by their shares, of a figure of theirs.
+template <class Figure>
+std::vector<double> layer_means(const PoreSpace& pores, const Figure& figure) {
+  return parallel_bins(pores.share.size(), pores.layers.size(),
+                       [&](std::size_t node, std::vector<double>& mean) {
+                         mean[pores.layer_of[node]] += pores.share[node] * figure(node);
+                       });
+}
+// Where reactant k is, as its rate law asks.
+inline chemistry::RateState rate_state(const System& system, std::span<const double> y,
+                                       const Evaluation& at, std::size_t k) {
+  const Reactant& grain = system.reactants[k];
+  return {at.temperature[grain.id], y[system.delta_begin() + k],
+          at.oxygen_pressure(system.body_of(grain.id)), grain.iron / grain.volume, grain.radius};
+}
+
 // False where y lies outside the domain of the physics (the integrator tries a smaller step).
 bool evaluate(const System& system, double t, std::span<const double> y, Evaluation& at);
 

@@ -90,29 +90,34 @@ double stored_energy(const State& state) {
   const auto& enthalpy = state.particles.enthalpy;
   const auto& waiting = state.waiting.enthalpy;
   const auto& cells = state.walls.cell_energy;
+  const auto& pores = state.gas.pore_energy;
   return parallel_sum(enthalpy.size(), [&](std::size_t i) { return enthalpy[i]; }) +
          parallel_sum(waiting.size(), [&](std::size_t i) { return waiting[i]; }) +
-         parallel_sum(cells.size(), [&](std::size_t k) { return cells[k]; }) + state.gas.energy;
+         parallel_sum(cells.size(), [&](std::size_t k) { return cells[k]; }) +
+         parallel_sum(pores.size(), [&](std::size_t k) { return pores[k]; }) + state.gas.energy;
 }
 
 double bound_oxygen(const Case& c, const Particles& p) {
   return parallel_sum(p.size(), [&](std::size_t i) {
-    return material_of(c, p, i).redox ? p.iron[i] * 0.5 * (3.0 - p.delta[i]) : 0.0;
+    const auto& redox = material_of(c, p, i).redox;
+    return redox ? p.iron[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]) : 0.0;
   });
 }
 
-double gas_free_volume(const Case& c, const Particles& p) {
+double gas_free_volume(const Case& c, const State& state) {
+  const Particles& p = state.particles;
   const double solids = parallel_sum(p.size(), [&](std::size_t i) {
     return 4.0 / 3.0 * pi * p.radius[i] * p.radius[i] * p.radius[i];
   });
-  const double free = c.chamber->volume - solids;
-  if (free <= 0.0) throw NumericsError("chamber: the particles fill its whole volume");
+  double free = c.chamber->volume - solids;
+  for (const double pores : state.gas.pore_volume) free -= pores;
+  if (free <= 0.0) throw NumericsError("chamber: the bed fills its whole volume");
   return free;
 }
 
 void close_chamber(const Case& c, State& state) {
   ensure(c.chamber.has_value() && !state.gas.closed, "an open chamber closes once");
-  const auto air = chemistry::air_in(*c.chamber, gas_free_volume(c, state.particles));
+  const auto air = chemistry::air_in(*c.chamber, gas_free_volume(c, state));
   state.gas.closed = true;
   state.gas.oxygen = air.oxygen;
   state.gas.nitrogen = air.nitrogen;
@@ -129,7 +134,7 @@ Atmosphere atmosphere(const Case& c, const State& state) {
     return {chamber.pressure, chamber.oxygen_fraction, chamber.gas_temperature};
   const chemistry::GasAmount gas{state.gas.oxygen, state.gas.nitrogen};
   const double T = chemistry::gas_temperature(gas, state.gas.energy, chamber.gas_temperature);
-  const double volume = gas_free_volume(c, state.particles);
+  const double volume = gas_free_volume(c, state);
   return {chemistry::gas_pressure(chemistry::total(gas), T, volume),
           chemistry::oxygen_fraction(gas), T};
 }

@@ -21,8 +21,9 @@ chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t
 void renew_masses(const Case& c, Particles& particles);
 
 double stored_energy(const State& state);  // [J] particles, waiting, walls, gas
-double bound_oxygen(const Case& c, const Particles& particles);     // [mol O2] in the solids
-double gas_free_volume(const Case& c, const Particles& particles);  // [m3] chamber less solids
+double bound_oxygen(const Case& c, const Particles& particles);  // [mol O2] in the solids
+// [m3] chamber less solids, and less pores where their gas is kept apart
+double gas_free_volume(const Case& c, const State& state);
 
 // Air of the moment is shut in; the books take it in.
 void close_chamber(const Case& c, State& state);

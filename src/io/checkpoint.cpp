@@ -1,3 +1,4 @@
+#include <string>
 #include <system_error>
 
 #include "io/atomic_file.hpp"
@@ -10,7 +11,7 @@ namespace pmr::io {
 namespace {
 
 constexpr const char* format = "pmr-checkpoint";
-constexpr int version = 3;  // of the layout in docs/file-formats.md
+constexpr int version = 4;  // of the layout in docs/file-formats.md
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& dir) {
   return dir / "checkpoint.h5";
@@ -110,6 +111,9 @@ void require_consistent(const std::filesystem::path& path, const State& state) {
     throw CaseError({Fault{path.string(), "", "fields of one length wanted, found several"}});
 }
 
+// HDF5 checks the content of its chunks, not where they are said to lie.
+std::string hash_text(const State& state) { return std::to_string(state_hash(state)); }
+
 }  // namespace
 
 void save_checkpoint(const std::filesystem::path& dir, const State& state) {
@@ -122,6 +126,7 @@ void save_checkpoint(const std::filesystem::path& dir, const State& state) {
   for_each_contact_field(state.wall_contacts, Writer(file, "/wall_contacts/"));
   for_each_ordered_field(state, Writer(file, "/"));
   write_lost(file, state.lost);
+  file.set_attribute("/", "state_hash", hash_text(state));
   file.close();
   replacement.commit();
 }
@@ -138,6 +143,9 @@ State load_checkpoint(const std::filesystem::path& dir) {
   for_each_ordered_field(state, Reader(file, "/"));
   state.lost = read_lost(file);
   require_consistent(path, state);
+  if (!file.has_attribute("/", "state_hash") ||
+      file.text_attribute("/", "state_hash") != hash_text(state))
+    throw CaseError({Fault{path.string(), "", "is damaged: its content is not what was written"}});
   return state;
 }
 

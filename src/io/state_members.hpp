@@ -38,11 +38,16 @@ void for_each_exchange_field(E& exchange, Visitor&& visit) {
 
 template <class S, class Visitor>
 void for_each_book_field(S& state, Visitor&& visit) {
-  auto& [closed, oxygen, nitrogen, energy] = state.gas;
+  auto& [closed, oxygen, nitrogen, energy, pore_volume, pore_oxygen, pore_nitrogen, pore_energy] =
+      state.gas;
   visit("gas/closed", "1", closed);
   visit("gas/oxygen", "mol", oxygen);
   visit("gas/nitrogen", "mol", nitrogen);
   visit("gas/energy", "J", energy);
+  visit("gas/pore_volume", "m3", pore_volume);
+  visit("gas/pore_oxygen", "mol", pore_oxygen);
+  visit("gas/pore_nitrogen", "mol", pore_nitrogen);
+  visit("gas/pore_energy", "J", pore_energy);
   auto& [opening_energy, opening_oxygen, opening_particles] = state.opening;
   visit("opening/energy", "J", opening_energy);
   visit("opening/oxygen", "mol", opening_oxygen);
@@ -75,9 +80,10 @@ void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [shell_enthalpy, shell_delta] = shells;
   visit("shells/enthalpy", "J", shell_enthalpy);
   visit("shells/delta", "1", shell_delta);
-  auto& [trend_length, trend_ln_pressure, warming, heating] = trend;
+  auto& [trend_length, trend_ln_pressure, ln_pore_pressure, warming, heating] = trend;
   visit("trend/length", "s", trend_length);
   visit("trend/ln_pressure", "1", trend_ln_pressure);
+  visit("trend/ln_pore_pressure", "1", ln_pore_pressure);
   visit("trend/warming", "K", warming);
   visit("trend/heating", "J", heating);
   for_each_exchange_field(exchange, visit);

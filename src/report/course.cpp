@@ -208,6 +208,12 @@ std::string gas_and_heat(Course& course) {
                     {"oxygen_pressure", "O₂", "#d55e00", "", ""},
                     {"nitrogen_pressure", "N₂", "#0072b2", "", ""}},
                    "no closed chamber in this case.");
+  html += course.chart("bed_pressure", "Pressure in the bed's pores", {"pressure", "Pa", true},
+                       {{"pressure_bed_bottom", "lowest layer", "#222222", "", ""},
+                        {"pressure_bed_top", "uppermost layer", "#999999", "", ""},
+                        {"oxygen_pressure_bed_bottom", "O₂, lowest", "#d55e00", "", ""},
+                        {"oxygen_pressure_bed_top", "O₂, uppermost", "#e69f00", "", ""}},
+                       "the bed's gas was not resolved in this case.");
   html += course.chart("heat", "Heat moved since the start, by path", {"heat", "kJ", false, 1e-3},
                        heat_lines(""), "no heat transfer in this case.");
   return html + course.chart("heat_flow", "Heat flow by path", {"heat flow", "W", true},

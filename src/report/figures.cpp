@@ -146,6 +146,23 @@ void add_reaction(Collector& c) {
          ""});
 }
 
+void add_yield(Collector& c) {
+  c.add({"peak", "Most oxygen that was off at a time", Quantity::specific_amount,
+         c.number("yield/peak_per_kg"),
+         "nine tenths of it after " + with_unit(Quantity::time, c.number("yield/time_to_90"))});
+  c.add({"part_of_ideal", "That over an ideal reactor's", Quantity::share,
+         c.number("yield/part_of_ideal"),
+         "the charge in one adiabatic piece at the set-point: " +
+             with_unit(Quantity::specific_amount, c.number("yield/ideal_per_kg")) + " at " +
+             with_unit(Quantity::temperature, c.number("yield/ideal_temperature"))});
+  c.add({"reaction_over_heat", "Reaction heat over heat given by the inert charge", Quantity::share,
+         c.number("yield/reaction_over_heat"), ""});
+  c.add({"mean_pressure", "Mean pressure from the pump's start", Quantity::pressure,
+         c.number("yield/mean_pressure"), ""});
+  c.add({"pump_work", "Pump work", Quantity::energy, c.number("yield/pump_work"),
+         "isothermal compression over the pump's efficiency"});
+}
+
 void drop_repeated_temperature(std::vector<KeyFigure>& figures, const std::string& granules) {
   std::erase_if(figures, [&](const KeyFigure& f) { return f.id == "temperature." + granules; });
 }
@@ -162,6 +179,7 @@ std::vector<KeyFigure> key_figures(const RunData& run) {
   add_mechanics(c);
   add_heat(c);
   add_reaction(c);
+  add_yield(c);
   std::vector<KeyFigure> figures = c.take();
   if (!run.species.empty()) drop_repeated_temperature(figures, run.species[run.granules()].name);
   return figures;

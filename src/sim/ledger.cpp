@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "coupling/thermal_state.hpp"
 #include "pmr/base/parallel.hpp"
@@ -12,6 +13,10 @@ namespace {
 // Part of a whole; a residual with nothing to compare it to counts as it is.
 double relative(double residual, double whole) {
   return whole > 0.0 ? std::abs(residual) / whole : std::abs(residual);
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 }  // namespace
@@ -26,11 +31,15 @@ Balance close_books(const Case& c, const State& state) {
   const double solids = coupling::bound_oxygen(c, state.particles) +
                         coupling::bound_oxygen(c, state.waiting) - state.opening.oxygen +
                         f.oxygen_released + f.lost_oxygen;
-  const double gas = state.gas.oxygen - (f.oxygen_released - f.oxygen_to_air + f.oxygen_closed_in +
-                                         f.oxygen_leaked - f.oxygen_pumped);
+  const double gas = state.gas.oxygen + sum_of(state.gas.pore_oxygen) -
+                     (f.oxygen_released - f.oxygen_to_air + f.oxygen_closed_in + f.oxygen_leaked -
+                      f.oxygen_pumped);
+  b.nitrogen_residual =
+      state.gas.nitrogen + sum_of(state.gas.pore_nitrogen) -
+      (f.nitrogen_closed_in + f.nitrogen_leaked - f.nitrogen_pumped - f.nitrogen_to_air);
   b.oxygen_residual = std::abs(solids) > std::abs(gas) ? solids : gas;
-  b.oxygen_relative =
-      relative(b.oxygen_residual, std::max(std::abs(f.oxygen_released), f.oxygen_closed_in));
+  b.oxygen_relative = relative(std::max(std::abs(b.oxygen_residual), std::abs(b.nitrogen_residual)),
+                               std::max(std::abs(f.oxygen_released), f.oxygen_closed_in));
 
   b.inserted = state.opening.particles;
   b.alive = state.particles.size();

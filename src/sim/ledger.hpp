@@ -12,10 +12,12 @@ inline constexpr double energy_limit = 1e-6;  // [1] of the heat exchanged
 inline constexpr double oxygen_limit = 1e-7;  // [1] of the oxygen released
 
 struct Balance {
-  double energy_residual;  // [J]
-  double energy_relative;  // [1] of the heat exchanged between all nodes
-  double oxygen_residual;  // [mol] the larger of the solids' and the gas'
-  double oxygen_relative;  // [1] of what was released, or of the air shut in if that is more
+  double energy_residual;    // [J]
+  double energy_relative;    // [1] of the heat exchanged between all nodes
+  double oxygen_residual;    // [mol] the larger of the solids' and the gas'
+  double nitrogen_residual;  // [mol] of the gas
+  double oxygen_relative;    // [1] of what was released, or of the air shut in if that is more;
+                             // nitrogen counts likewise
   std::uint64_t inserted, alive, lost, waiting;  // waiting: yet to be poured in
   bool closes() const {
     return energy_relative <= energy_limit && oxygen_relative <= oxygen_limit &&

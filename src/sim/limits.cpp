@@ -11,6 +11,7 @@
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
 #include "sim/summary.hpp"
+#include "sim/yield.hpp"
 
 namespace pmr::sim {
 namespace {
@@ -36,6 +37,51 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
     limits.push_back(fmt::format("{} particles left the domain; the first, {}, at t = {:.4g} s.",
                                  state.lost.size(), state.lost.front().id,
                                  state.lost.front().time));
+}
+
+// Where a rate is extrapolated it matters only if it is slow.
+void check_rate_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
+  std::size_t outside = 0, count = 0;
+  for (std::size_t i = 0; i < state.particles.size(); ++i) {
+    const auto& redox = c.materials.list[c.species[state.particles.species[i]].material].redox;
+    if (!redox) continue;
+    const double T = state.particles.temperature[i];
+    ++count;
+    outside += T < redox->rate_temperature_minimum || T > redox->rate_temperature_maximum ? 1 : 0;
+  }
+  if (outside > 0)
+    limits.push_back(
+        fmt::format("{:.0f} % of the redox particles end outside the temperatures that their rate "
+                    "was fitted at: extrapolated (above them particles stay near equilibrium).",
+                    100.0 * static_cast<double>(outside) / static_cast<double>(count)));
+}
+
+// A delta that froze in above the charge's temperature is a guess; what 50 K of it do to an ideal
+// reactor.
+void check_initial_delta(const Case& c, const State& state, std::vector<std::string>& limits) {
+  constexpr double shift = 50.0;  // [K]
+  if (!c.chamber || state.particles.size() == 0) return;
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    const auto* frozen = std::get_if<EquilibriumDelta>(&c.species[s].initial_delta);
+    if (frozen == nullptr || !c.materials.list[c.species[s].material].redox) continue;
+    if (!(frozen->temperature > c.species[s].initial_temperature)) continue;
+    const auto at = [&](double T) {
+      Case other = c;
+      other.species[s].initial_delta = EquilibriumDelta{T, frozen->oxygen_pressure};
+      return std::pair{coupling::initial_delta(other, other.species[s]),
+                       ideal_end(other, state).oxygen};
+    };
+    const double T = frozen->temperature;
+    const auto [low, most] = at(T - shift);
+    const auto [middle, here] = at(T);
+    const auto [high, least] = at(T + shift);
+    limits.push_back(fmt::format(
+        "The initial delta of {} is a guess: {:.3f}, frozen in at {:.0f} degC. Frozen in at {:.0f} "
+        "or {:.0f} degC it would be {:.3f} or {:.3f}, and an ideal reactor would give {:.3g} or "
+        "{:.3g} mol of oxygen instead of {:.3g}.",
+        c.species[s].name, middle, T - zero_celsius, T - shift - zero_celsius,
+        T + shift - zero_celsius, low, high, most, least, here));
+  }
 }
 
 void check_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
@@ -65,6 +111,7 @@ void check_fit(const Case& c, const State& state, std::vector<std::string>& limi
           material.redox->equilibrium.fit_temperature_minimum - zero_celsius,
           material.redox->equilibrium.fit_temperature_maximum - zero_celsius));
   }
+  check_rate_fit(c, state, limits);
 }
 
 }  // namespace
@@ -73,6 +120,7 @@ std::vector<std::string> limits_touched(const Case& c, const State& state) {
   std::vector<std::string> limits;
   check_mechanics(c, state, limits);
   check_fit(c, state, limits);
+  if (c.models.reaction) check_initial_delta(c, state, limits);
   if (has_heat(c)) {
     const Balance balance = close_books(c, state);
     if (!balance.closes())

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "coupling/bed_gas.hpp"
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
 #include "instruments/thermocouple.hpp"
@@ -52,6 +53,14 @@ void put_gas(const Case& c, const State& state, double oxygen_rate, Row& row) {
   row.put("oxygen_released", "mol", state.fluxes.oxygen_released);
   row.put("oxygen_rate", "mol s-1", oxygen_rate);
   row.put("oxygen_pumped", "mol", state.fluxes.oxygen_pumped);
+  if (!c.models.bed_gas) return;
+  const auto pores = coupling::pore_atmospheres(state);  // none yet while particles move
+  const auto& bottom = pores.empty() ? air : pores.front();
+  const auto& top = pores.empty() ? air : pores.back();
+  row.put("pressure_bed_bottom", "Pa", bottom.pressure);
+  row.put("pressure_bed_top", "Pa", top.pressure);
+  row.put("oxygen_pressure_bed_bottom", "Pa", bottom.oxygen_fraction * bottom.pressure);
+  row.put("oxygen_pressure_bed_top", "Pa", top.oxygen_fraction * top.pressure);
 }
 
 double mean_wall_temperature(const std::vector<double>& faces, const coupling::Nodes& nodes) {

@@ -74,6 +74,7 @@ double Schedule::next_border(double t) const {
   if (case_.chamber) {
     consider(case_.chamber->closing);
     if (case_.chamber->pump) consider(case_.chamber->pump->start);
+    if (case_.chamber->vent) consider(case_.chamber->vent->start);
   }
   for (const Surface& surface : case_.walls.surfaces) {
     consider(surface.from);
@@ -85,12 +86,15 @@ double Schedule::next_border(double t) const {
 
 Interval Schedule::frozen(const State& state) const {
   const ReactPhase& react = *case_.react;
-  // Changes are fast after rest, after the chamber is closed and after the pump starts.
+  // Changes are fast after rest, after the chamber is closed, after the pump starts and
+  // after the chamber is vented.
   double origin = state.settled_at;
   if (case_.chamber && state.time >= case_.chamber->closing)
     origin = std::max(origin, case_.chamber->closing);
   if (case_.chamber && case_.chamber->pump && state.time >= case_.chamber->pump->start)
     origin = std::max(origin, case_.chamber->pump->start);
+  if (case_.chamber && case_.chamber->vent && state.time >= case_.chamber->vent->start - same_time)
+    origin = std::max(origin, case_.chamber->vent->start);
   const double length = std::clamp(react.growth * (state.time - origin), react.first_interval,
                                    react.longest_interval);
   const double border = next_border(state.time);

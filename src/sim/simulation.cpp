@@ -50,6 +50,7 @@ Simulation::Simulation(const Case& c, std::filesystem::path dir, State state)
       nodes_(coupling::number_nodes(c, state_.opening.particles)),
       recorder_(case_, nodes_, std::move(dir)) {
   if (state_.phase == Phase::react) coupling::number_in_space(state_.particles, nodes_);
+  pores_ = coupling::cut_pores(case_, nodes_, state_);
   recorder_.start_from(state_);
 }
 
@@ -58,6 +59,7 @@ void Simulation::open() {
   nodes_ = coupling::number_nodes(case_, state_.particles.size() + state_.waiting.size());
   if (state_.phase == Phase::react) coupling::number_in_space(state_.particles, nodes_);
   coupling::begin_thermal_state(case_, nodes_, state_);
+  open_pores();
   recorder_.start_from(state_);
   recorder_.record(state_, true);
   recorder_.checkpoint(state_);
@@ -86,6 +88,13 @@ void Simulation::settle() {
   coupling::number_in_space(state_.particles, nodes_);
   state_.exchange = {};
   gaps_ = {};
+  open_pores();
+}
+
+// Where the bed's gas is resolved it begins as the air around.
+void Simulation::open_pores() {
+  pores_ = coupling::cut_pores(case_, nodes_, state_);
+  if (pores_.is_resolved()) coupling::fill_pores(case_, nodes_, pores_, state_);
 }
 
 // Particles that are due come in; exchange factors are traced anew with them.
@@ -140,11 +149,11 @@ void Simulation::exchange_heat(const Interval& interval) {
     const StageTimer timer(timings_, "conduction");
     if (interval.moves() || !coupling::walls_stand(case_, gaps_, state_.time))
       gaps_ = coupling::find_gaps(case_, nodes_, state_);
-    return coupling::conduct(case_, nodes_, state_, gaps_, outlook);
+    return coupling::conduct(case_, nodes_, state_, gaps_, outlook, pores_);
   }();
   const StageTimer timer(timings_, "network");
   const coupling::TrendWatch watch(case_, state_);
-  const auto work = coupling::advance_network(case_, nodes_, outlook, std::move(links),
+  const auto work = coupling::advance_network(case_, nodes_, outlook, std::move(links), pores_,
                                               interval.begin, interval.end, state_);
   watch.set(case_, length, state_);
   state_.set_point_at = std::min(state_.set_point_at, work.set_point_at);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "coupling/bed_gas.hpp"
 #include "coupling/network.hpp"
 #include "coupling/nodes.hpp"
 #include "physics/mechanics.hpp"
@@ -45,6 +46,7 @@ class Simulation {
  private:
   void open();
   void settle();
+  void open_pores();
   void pour();
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);
@@ -57,7 +59,8 @@ class Simulation {
   std::vector<physics::Entry> entries_;  // of particles to be poured in
   coupling::Nodes nodes_;
   Recorder recorder_;
-  coupling::Gaps gaps_;  // of the bed as it last lay
+  coupling::Gaps gaps_;        // of the bed as it last lay
+  coupling::PoreSpace pores_;  // of the bed at rest
   Timings timings_;
   coupling::NetworkWork work_;
 };

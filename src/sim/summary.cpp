@@ -4,8 +4,10 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "chemistry/redox.hpp"
+#include "coupling/bed_gas.hpp"
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
 #include "instruments/course.hpp"
@@ -18,6 +20,7 @@
 #include "sim/conductivity.hpp"
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
+#include "sim/yield.hpp"
 
 namespace pmr::sim {
 namespace {
@@ -182,6 +185,10 @@ Json chemistry_of(const SummaryInput& in) {
   return nullptr;
 }
 
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 Json books_of(const SummaryInput& in) {
   const State& state = in.state;
   const Fluxes& f = state.fluxes;
@@ -191,7 +198,7 @@ Json books_of(const SummaryInput& in) {
   const Json energy = {{"at the start", state.opening.energy},
                        {"in particles", particles},
                        {"in walls", walls},
-                       {"in the gas", state.gas.energy},
+                       {"in the gas", state.gas.energy + sum_of(state.gas.pore_energy)},
                        {"to the outside of walls", f.to_outside},
                        {"to the surroundings", f.to_surroundings},
                        {"out with gas", f.gas_energy_out},
@@ -204,7 +211,7 @@ Json books_of(const SummaryInput& in) {
                        {"pumped", f.oxygen_pumped},
                        {"closed in with air", f.oxygen_closed_in},
                        {"leaked in", f.oxygen_leaked},
-                       {"in the chamber", state.gas.oxygen}};
+                       {"in the gas", state.gas.oxygen + sum_of(state.gas.pore_oxygen)}};
   const Json count = {{"inserted", state.opening.particles},
                       {"alive", state.particles.size()},
                       {"waiting", state.waiting.size()},
@@ -241,6 +248,19 @@ Json radiation_of(const Exchange& exchange) {
           {"row_sum_error", exchange.row_sum_error}, {"rays_given_up", exchange.unfinished}};
 }
 
+Json yield_of(const SummaryInput& in) {
+  const Yield yield = measure_yield(in.setup, in.state, in.series);
+  return {{"oxygen_per_kg", number(yield.oxygen_per_kg)},
+          {"peak_per_kg", number(yield.peak_per_kg)},
+          {"ideal_per_kg", number(yield.ideal_per_kg)},
+          {"ideal_temperature", number(yield.ideal_temperature)},
+          {"part_of_ideal", number(yield.part_of_ideal)},
+          {"reaction_over_heat", number(yield.reaction_over_heat)},
+          {"time_to_90", number(yield.time_to_90)},
+          {"mean_pressure", number(yield.mean_pressure)},
+          {"pump_work", number(yield.pump_work)}};
+}
+
 void add_heat(const SummaryInput& in, Json& summary) {
   const Balance balance = close_books(in.setup, in.state);
   const Fluxes& f = in.state.fluxes;
@@ -252,11 +272,17 @@ void add_heat(const SummaryInput& in, Json& summary) {
                           {"time_to_setpoint", number(in.state.set_point_at)},
                           {"temperature_gas", gas.temperature},
                           {"oxygen_fraction", gas.oxygen_fraction}};
+    const auto pores = coupling::pore_atmospheres(in.state);
+    if (!pores.empty()) {
+      summary["chamber"]["bed_pressure_bottom"] = pores.front().pressure;
+      summary["chamber"]["bed_pressure_top"] = pores.back().pressure;
+    }
   }
   summary["balances"] = {{"energy_relative", balance.energy_relative},
                          {"oxygen_relative", balance.oxygen_relative},
                          {"energy_residual", balance.energy_residual},
                          {"oxygen_residual", balance.oxygen_residual},
+                         {"nitrogen_residual", balance.nitrogen_residual},
                          {"heat_exchanged", f.heat_exchanged}};
   if (in.setup.models.radiation) summary["radiation"] = radiation_of(in.state.exchange);
   summary["heat_paths"] = {{"contact", f.contact},
@@ -296,6 +322,8 @@ void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   if (has_heat(in.setup)) add_heat(in, summary);
   if (in.setup.conductivity && in.status == "completed" && in.state.particles.size() > 1)
     summary["effective_conductivity"] = conductivity_of(in);
+  if (in.setup.models.reaction && in.setup.chamber && in.state.particles.size() > 0)
+    summary["yield"] = yield_of(in);
   summary["books"] = books_of(in);
   summary["lost_particles"] = lost_of(in.state);
   summary["warnings"] = limits_touched(in.setup, in.state);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/nodes.hpp"
+#include "io/run_file.hpp"
 #include "pmr/base/timer.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
@@ -17,6 +18,7 @@ struct SummaryInput {
   const State& state;
   const coupling::Nodes& nodes;
   const Timings& timings;
+  const io::Series& series;                       // of the whole run
   double time_step;                               // [s]
   std::string status;                             // "completed", "stopped" or "failed"
   std::map<std::string, std::string> provenance;  // version, git, case_hash, threads, ...

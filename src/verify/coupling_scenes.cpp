@@ -82,7 +82,7 @@ void ThermalScene::begin() {
 
 void ThermalScene::advance(double dt, std::vector<coupling::HeatLink> links) {
   coupling::advance_network(setup, nodes, coupling::look_ahead(setup, state, 0.0), std::move(links),
-                            state.time, state.time + dt, state);
+                            {}, state.time, state.time + dt, state);
   state.time += dt;
 }
 

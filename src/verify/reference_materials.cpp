@@ -10,7 +10,7 @@ constexpr Shomate corundum{102.4290,  38.74980,  -15.91090,   2.628181, -3.00755
                            -1717.930, -1675.690, 101.9613e-3, 298.0,    2327.0};
 
 // Cp of SrFeO2.5 by Neumann-Kopp from SrO and Fe2O3 of NIST, +-8 % (D).
-constexpr FerriteHeat brownmillerite{109.666, 51.718, -28.097, -2.551};
+constexpr OxideHeat brownmillerite{109.666, 51.718, -28.097, -2.551, 298.15, 1500.0};
 
 // Fit of the DLR thermogravimetry of SrFeO(3-d): Vieten et al., Energy Environ. Sci. 12 (2019)
 // 1369, data set RedoxThermoCSP (P); the constant oxygen entropy is the project's choice (D).
@@ -32,7 +32,7 @@ constexpr RedoxEquilibrium vieten{.enthalpy_minimum = 63000.0,
 
 // A and Ea of Harrison et al., Energy Fuels 37 (2023) 9487 (P); factor and order assumed (A).
 constexpr PowerRate harrison{
-    .factor = 0.5, .pre_exponential = 623.0, .activation_energy = 75.7e3, .exponent = 1.0};
+    .factor = 0.5, .reduction = {623.0, 75.7e3}, .exponent = 1.0, .oxidation = std::nullopt};
 
 Table celsius_table(std::vector<double> celsius, std::vector<double> value) {
   for (double& T : celsius) T += zero_celsius;
@@ -72,7 +72,15 @@ Material reference_ferrite() {
   material.heat = brownmillerite;
   material.conductivity = TabulatedConductivity{constant(1.1)};  // (A/D), 0.7-1.6
   // Molar mass and oxygen from atomic weights; the delta at which the density is meant is (A).
-  material.redox = Redox{vieten, harrison, 191.462e-3, 15.999e-3, 0.25};
+  material.redox = Redox{.equilibrium = vieten,
+                         .rate = harrison,
+                         .rate_temperature_minimum = 0.0,
+                         .rate_temperature_maximum = 2000.0,
+                         .pores = std::nullopt,
+                         .oxygen_atoms = 3.0,
+                         .molar_mass = 191.462e-3,
+                         .atomic_oxygen = 15.999e-3,
+                         .density_delta = 0.25};
   return material;
 }
 

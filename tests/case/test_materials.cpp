@@ -34,7 +34,7 @@ TEST_CASE("the shipped figures arrive in SI") {
   REQUIRE(ferrite.redox);
   CHECK(ferrite.redox->molar_mass == Approx(0.191462));
   CHECK(ferrite.redox->equilibrium.fit_pressure_maximum == Approx(9e4));
-  CHECK(std::get<PowerRate>(ferrite.redox->rate).activation_energy == Approx(75.7e3));
+  CHECK(std::get<PowerRate>(ferrite.redox->rate).reduction.activation_energy == Approx(75.7e3));
   const Material& alumina = material(made, "Al2O3");
   // NIST: f and h in kJ/mol
   CHECK(std::get<Shomate>(alumina.heat).f == Approx(-1717.930).epsilon(1e-12));
@@ -63,7 +63,7 @@ TEST_CASE("a setting reaches into a law of a shipped material") {
       load(replaced(text, "\"Al2O3\"", "\"SrFeO3\""), {"materials.SrFeO3.redox.rate.factor=0.1"});
   const auto& rate = std::get<PowerRate>(material(made, "SrFeO3").redox->rate);
   CHECK(rate.factor == 0.1);
-  CHECK(rate.pre_exponential == 623);
+  CHECK(rate.reduction.pre_exponential == 623);
 }
 
 TEST_CASE("a new material wants every figure of its use and its contact pairs") {

@@ -39,6 +39,20 @@ TEST_CASE("a kilogram is 19363 beads and 173769 granules") {
   CHECK(*made.models.mechanics.time_step == Approx(2e-5).epsilon(1e-15));
 }
 
+// The plan's points mix as the hot one does: the same particles, the same walls.
+TEST_CASE("the temperature plan changes temperatures and no particle") {
+  const Case hot = shipped("demonstrator");
+  for (const char* name : {"plan-700-400", "plan-400-200", "plan-ambient", "adiabatic"}) {
+    const Case made = shipped(name);
+    CHECK(made.title != hot.title);
+    CHECK(made.species.at(0).count == hot.species.at(0).count);
+    CHECK(made.species.at(1).count == hot.species.at(1).count);
+    CHECK(made.walls.surfaces.size() == hot.walls.surfaces.size());
+    CHECK(made.chamber->volume == hot.chamber->volume);
+  }
+  CHECK(shipped("plan-400-200").species.at(1).initial_temperature == Approx(473.15));
+}
+
 TEST_CASE("the small cases hold the same 3862 spheres, hot or ambient") {
   for (const char* name : {"demonstrator-small", "demonstrator-small-ambient", "adiabatic-small"}) {
     const Case made = shipped(name);

@@ -1,6 +1,7 @@
 // Rate laws: zero at equilibrium, right in sign, slopes as differences.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include "chemistry/kinetics.hpp"
 #include "chemistry/redox.hpp"
@@ -15,35 +16,58 @@ Redox with_exponent(double m) {
   std::get<PowerRate>(redox.rate).exponent = m;
   return redox;
 }
+// Every law and what may be added to it.
+std::vector<Redox> laws() {
+  std::vector<Redox> all{with_exponent(0.5), with_exponent(1.0), with_exponent(1.0),
+                         with_exponent(1.0), with_exponent(1.0), with_exponent(1.0)};
+  std::get<PowerRate>(all[2].rate).oxidation = Arrhenius{3.4e10, 177.1e3};
+  all[3].pores = PoreDiffusion{3e-5, 1000.0};
+  all[4].rate = RelaxationRate{40.0, 673.15, 144e3, 92e3, 1.0};
+  all[5].equilibrium.oxygen_entropy.reset();
+  return all;
+}
+constexpr double concentration = 1.8e4, radius = 0.735e-3;  // [mol/m3], [m]
 }  // namespace
 
 TEST_CASE("the rate vanishes at equilibrium and has the sign of the drive") {
-  for (const double m : {0.5, 1.0}) {
-    const Redox redox = with_exponent(m);
+  for (const Redox& redox : laws()) {
     const double p = equilibrium_pressure(redox.equilibrium, 900.0, 0.33);
-    CHECK(oxygen_rate(redox, {900.0, 0.33, p}) == 0.0);
-    CHECK(oxygen_rate(redox, {900.0, 0.33, 0.5 * p}) > 0.0);
-    CHECK(oxygen_rate(redox, {900.0, 0.33, 2.0 * p}) < 0.0);
-    CHECK(oxygen_rate_slopes(redox, {900.0, 0.33, p}).rate == 0.0);
+    const auto rate = [&](double pressure) {
+      return oxygen_rate(redox, {900.0, 0.33, pressure, concentration, radius});
+    };
+    const double scale = rate(0.5 * p);
+    CHECK(scale > 0.0);
+    CHECK(std::abs(rate(p)) < 1e-10 * scale);
+    CHECK(rate(2.0 * p) < 0.0);
   }
 }
 
 TEST_CASE("the rate's slopes are those of its differences") {
   // Central differences of relative step h: error h^2 times (ln p)''' scale, about 1e-6.
-  for (const double m : {0.5, 1.0}) {
-    const Redox redox = with_exponent(m);
-    const RateState at{800.0, 0.31, 3000.0};
-    const auto rate = [&](double T, double d, double p) { return oxygen_rate(redox, {T, d, p}); };
-    const RateSlopes slopes = oxygen_rate_slopes(redox, at);
-    const double T = at.temperature, d = at.delta, p = at.oxygen_pressure;
-    CHECK(slopes.rate == oxygen_rate(redox, at));
-    CHECK(slopes.by_temperature ==
-          Approx((rate(T + 0.01, d, p) - rate(T - 0.01, d, p)) / 0.02).epsilon(1e-6));
-    CHECK(slopes.by_delta ==
-          Approx((rate(T, d + 1e-6, p) - rate(T, d - 1e-6, p)) / 2e-6).epsilon(1e-6));
-    CHECK(slopes.by_oxygen_pressure ==
-          Approx((rate(T, d, p + 1.0) - rate(T, d, p - 1.0)) / 2.0).epsilon(1e-6));
-  }
+  for (const Redox& redox : laws())
+    for (const double p : {3000.0, 3e6}) {  // reducing and oxidising
+      const RateState at{800.0, 0.31, p, concentration, radius};
+      const auto rate = [&](double T, double d, double pressure) {
+        return oxygen_rate(redox, {T, d, pressure, concentration, radius});
+      };
+      const RateSlopes slopes = oxygen_rate_slopes(redox, at);
+      const double T = at.temperature, d = at.delta, h = 1e-5 * p;
+      CHECK(slopes.rate == oxygen_rate(redox, at));
+      CHECK(slopes.by_temperature ==
+            Approx((rate(T + 0.01, d, p) - rate(T - 0.01, d, p)) / 0.02).epsilon(2e-6));
+      CHECK(slopes.by_delta ==
+            Approx((rate(T, d + 1e-6, p) - rate(T, d - 1e-6, p)) / 2e-6).epsilon(2e-6));
+      CHECK(slopes.by_oxygen_pressure ==
+            Approx((rate(T, d, p + h) - rate(T, d, p - h)) / (2.0 * h)).epsilon(2e-6));
+    }
+}
+
+TEST_CASE("a porous sphere's effectiveness follows Thiele's solution") {
+  // 3 (phi coth phi - 1)/phi^2 by hand; 1 - phi^2/15 for small phi, 3/phi for large.
+  CHECK(effectiveness(1.0) == Approx(0.939106).epsilon(1e-5));
+  CHECK(effectiveness(5.0) == Approx(0.480054).epsilon(1e-5));
+  CHECK(effectiveness(0.0999) == Approx(effectiveness(0.1001)).epsilon(1e-5));
+  CHECK(effectiveness(1e3) == Approx(3e-3).epsilon(2e-3));
 }
 
 TEST_CASE("a delta outside its domain gives no rate but NaN") {

@@ -65,6 +65,9 @@ void fill_books(Filler& filler, State& state) {
         &state.opening.oxygen, &state.extremes.overlap_ratio, &state.extremes.speed})
     filler.set(*x);
   filler.set(state.opening.particles);
+  for (auto* values : {&state.gas.pore_volume, &state.gas.pore_oxygen, &state.gas.pore_nitrogen,
+                       &state.gas.pore_energy, &state.trend.ln_pore_pressure})
+    filler.set(*values, 3);
   for_each_flux(state.fluxes, [&](const char*, const char*, double& x) { filler.set(x); });
 }
 

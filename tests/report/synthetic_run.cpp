@@ -255,7 +255,7 @@ Case rig(double scale) {
       revolved("tube.SrFeO3", scale * Vec3(0.0135, 0, 0.233), {tube, 0, tube, length}, -1)};
   c.models.reaction = true;
   c.chamber = ChamberCase{};
-  c.chamber->pump = Pump{10.0, 4e-4, 10.0, 1000.0};
+  c.chamber->pump = Pump{10.0, constant(4e-4), 10.0, 1000.0, 0.2};
   c.output.cut_point = Vec3::Zero();
   c.output.cut_normal = Vec3(0, -1, 0);
   return c;

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace pmr {
@@ -54,6 +55,22 @@ Value parallel_sum(std::size_t count, const Value& zero, const Term& term) {
 template <class Term>
 double parallel_sum(std::size_t count, const Term& term) {
   return parallel_sum(count, 0.0, term);
+}
+
+// `bins` sums to which add(i, sums) adds what item i has to say, with the same bits on any number
+// of threads.
+template <class Add>
+std::vector<double> parallel_bins(std::size_t count, std::size_t bins, const Add& add) {
+  std::vector<double> total(bins, 0.0);
+  std::vector<std::vector<double>> partial((count + block_size - 1) / block_size);
+  parallel_blocks(count, [&](std::size_t first, std::size_t last) {
+    std::vector<double> sums(bins, 0.0);
+    for (std::size_t i = first; i < last; ++i) add(i, sums);
+    partial[first / block_size] = std::move(sums);
+  });
+  for (const std::vector<double>& p : partial)
+    for (std::size_t k = 0; k < bins; ++k) total[k] += p[k];
+  return total;
 }
 
 // Largest term(i), at least `floor`.

@@ -107,10 +107,16 @@ struct ReactPhase {
 
 // --- Gas. Before closing the chamber stands open to air; from then on it is a volume with a pump.
 struct Pump {
-  double start;      // [s]
-  double speed;      // [m3/s] at its inlet
-  double ultimate;   // [Pa] pressure it cannot pump below
-  double set_point;  // [Pa] held by its control
+  double start;       // [s]
+  Table speed;        // [Pa] -> [m3/s] at its inlet
+  double ultimate;    // [Pa] pressure it cannot pump below
+  double set_point;   // [Pa] held by its control
+  double efficiency;  // [1] of isothermal compression to the air's pressure
+};
+// A valve to the outside air, opened when the pump is stopped; it lets gas in, and out.
+struct Vent {
+  double start;        // [s]
+  double conductance;  // [mol/s/Pa]
 };
 struct ChamberCase {
   double closing;           // [s] open air before
@@ -120,6 +126,7 @@ struct ChamberCase {
   double gas_temperature;   // [K] of the air
   double film_coefficient;  // [W/m2/K] gas to walls and to the bed's top (assumed)
   std::optional<Pump> pump;
+  std::optional<Vent> vent;
   double leak;  // [mol/s] of air per Pa of pressure difference
 };
 
@@ -154,6 +161,11 @@ struct RadiationModel {
   double retrace_displacement = 0.05;      // [1] mean way of the particles, in diameters
   RadiationLaw law = RadiationLaw::traced;
 };
+// Gas in the pores of the bed at rest, layer by layer.
+struct BedGasModel {
+  std::size_t layers;  // [1]
+  double tortuosity;   // [1] of the pores
+};
 struct NetworkModel {
   double relative_tolerance;     // [1]
   double temperature_tolerance;  // [K] absolute, per particle and wall cell
@@ -165,6 +177,7 @@ struct Models {
   std::optional<ConductionModel> conduction;
   std::optional<RadiationModel> radiation;
   bool reaction = false;
+  std::optional<BedGasModel> bed_gas;  // none: the bed's gas is the chamber's
   NetworkModel network;
 };
 

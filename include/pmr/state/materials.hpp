@@ -32,12 +32,14 @@ struct Shomate {
   double molar_mass;                                // [kg/mol]
   double minimum_temperature, maximum_temperature;  // [K] range of the fit
 };
-// Solid part of a ferrite: Cp(ABO2.5) = a + b t + c t2 + d/t2 [J/mol Fe/K]; the oxygen above 2.5
-// carries the heat capacity of O2 gas (chemistry/redox.hpp).
-struct FerriteHeat {
+// A reducible oxide: its solid at delta = 0.5 has Cp = a + b t + c t2 + d/t2 [J/mol/K], t = T/1000;
+// the oxygen beyond that carries the heat capacity of O2 gas (chemistry/redox.hpp). Per mol of
+// formula units.
+struct OxideHeat {
   double a, b, c, d;
+  double minimum_temperature, maximum_temperature;  // [K] range in which it is used as it stands
 };
-using HeatLaw = std::variant<ConstantHeat, Shomate, FerriteHeat>;
+using HeatLaw = std::variant<ConstantHeat, Shomate, OxideHeat>;
 
 // --- Conductivity laws, k in W/m/K.
 // factor (c0 + c1 exp(-c2 T)/(T + c3)), T in degC: Munro (1997) for dense alumina.
@@ -53,29 +55,51 @@ struct TabulatedConductivity {
 };
 using Conductivity = std::variant<AluminaConductivity, TabulatedConductivity>;
 
-// --- Redox chemistry of A B O(3-delta), see chemistry/redox.hpp.
+// --- Redox chemistry of an oxide with oxygen sites that empty, A B O(3-delta) or M O(2-delta), per
+// formula unit; see chemistry/redox.hpp.
 struct RedoxEquilibrium {
-  double enthalpy_minimum, enthalpy_maximum;                // dHmin, dHmax [J/mol O]
-  double shift, steepness, offset;                          // t, s, d0 [1]
-  double vibration_entropy, oxygen_entropy;                 // s_v, S_th [J/mol O/K]
-  double configuration;                                     // a [1]
-  double delta_limit = 0.5;                                 // delta stays in (0, limit)
+  double enthalpy_minimum, enthalpy_maximum;  // dHmin, dHmax [J/mol O]
+  double shift, steepness, offset;            // t, s, d0 [1]
+  double vibration_entropy;                   // s_v [J/mol O/K]
+  std::optional<double> oxygen_entropy;       // S_th [J/mol O/K]; none: half of that of O2 gas at T
+  double configuration;                       // a [1]
+  double delta_limit = 0.5;                   // delta stays in (0, limit)
   double fit_delta_minimum, fit_delta_maximum;              // [1] range of the fit
   double fit_temperature_minimum, fit_temperature_maximum;  // [K]
   double fit_pressure_minimum, fit_pressure_maximum;        // [Pa]
 };
-// K1: r = factor k (p_eq^m - pO2^m) [mol O2/s/m3], k = A exp(-Ea/(R T)).
-struct PowerRate {
-  double factor;             // [1]
+struct Arrhenius {
   double pre_exponential;    // [mol O2/s/m3/Pa^m]
   double activation_energy;  // [J/mol]
-  double exponent;           // m [1]
 };
-using RateLaw = std::variant<PowerRate>;
+// K1: r = factor k (p_eq^m - pO2^m) [mol O2/s/m3], k = A exp(-Ea/(R T)).
+struct PowerRate {
+  double factor;                       // [1]
+  Arrhenius reduction;                 // k where oxygen leaves
+  double exponent;                     // m [1]
+  std::optional<Arrhenius> oxidation;  // k where it is taken up; none: the same
+};
+// K2: d(delta)/dt = (delta_eq(T, pO2) - delta)/tau, tau = time exp(Ea/R (1/T - 1/reference)).
+struct RelaxationRate {
+  double time;                   // [s] tau at the reference temperature
+  double reference_temperature;  // [K]
+  double reduction_energy;       // Ea [J/mol] while delta rises ...
+  double oxidation_energy;       // [J/mol] ... and while it falls
+  double shortest;               // [s] tau is never below this
+};
+using RateLaw = std::variant<PowerRate, RelaxationRate>;
+// Pores that oxygen has to pass by Knudsen diffusion: D = diffusivity sqrt(T/reference).
+struct PoreDiffusion {
+  double diffusivity;            // [m2/s] effective, at the reference temperature
+  double reference_temperature;  // [K]
+};
 struct Redox {
   RedoxEquilibrium equilibrium;
   RateLaw rate;
-  double molar_mass;     // [kg/mol Fe] at delta = 0
+  double rate_temperature_minimum, rate_temperature_maximum;  // [K] range of the rate's fit
+  std::optional<PoreDiffusion> pores;                         // none: oxygen passes freely
+  double oxygen_atoms;                                        // [1] per formula unit at delta = 0
+  double molar_mass;     // [kg/mol] of formula units (of Fe, in a ferrite) at delta = 0
   double atomic_oxygen;  // [kg/mol O]
   double density_delta;  // [1] delta at which the material's density is stated
 };

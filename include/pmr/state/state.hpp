@@ -25,12 +25,17 @@ struct Shells {
   std::vector<double> delta;     // [1]
 };
 
-// Gas in the closed chamber.
+// Gas in the closed chamber, and in the bed's pores where they are resolved: by layer from the
+// bottom, also while the chamber stands open.
 struct Gas {
   bool closed = false;
-  double oxygen = 0.0;    // [mol]
-  double nitrogen = 0.0;  // [mol]
-  double energy = 0.0;    // [J] internal
+  double oxygen = 0.0;                // [mol] in the chamber, without the pores
+  double nitrogen = 0.0;              // [mol]
+  double energy = 0.0;                // [J] internal
+  std::vector<double> pore_volume;    // [m3]
+  std::vector<double> pore_oxygen;    // [mol]
+  std::vector<double> pore_nitrogen;  // [mol]
+  std::vector<double> pore_energy;    // [J] internal
 };
 
 // Symmetric exchange of radiation between nodes: particles, then wall patches, then the
@@ -59,15 +64,17 @@ struct Fluxes {
   double to_surroundings = 0.0;     // [J] radiation that left the rig
   double reaction = 0.0;            // [J] taken up by the redox reaction, integral of dH(delta)
   double oxygen_released = 0.0;     // [mol] from solids, net
-  double oxygen_to_air = 0.0;       // [mol] released while the chamber stood open
+  double oxygen_to_air = 0.0;       // [mol] O2 that went to open air, net, or out by the vent
+  double nitrogen_to_air = 0.0;     // [mol] N2 likewise
   double oxygen_pumped = 0.0;       // [mol] O2
   double nitrogen_pumped = 0.0;     // [mol] N2
-  double oxygen_closed_in = 0.0;    // [mol] O2 of the air shut in
+  double oxygen_closed_in = 0.0;    // [mol] O2 of the air shut in, in pores and chamber
   double nitrogen_closed_in = 0.0;  // [mol] N2 of the air shut in
-  double oxygen_leaked = 0.0;       // [mol] O2 that came in
-  double nitrogen_leaked = 0.0;     // [mol] N2 that came in
+  double oxygen_leaked = 0.0;       // [mol] O2 that came in by leak and vent
+  double nitrogen_leaked = 0.0;     // [mol] N2 likewise
+  double pump_work = 0.0;           // [J] of isothermal compression, not part of the books
   double gas_energy_out = 0.0;      // [J] enthalpy pumped, and of oxygen that left to open air
-  double gas_energy_in = 0.0;       // [J] enthalpy of leaked air and of the air closed in
+  double gas_energy_in = 0.0;       // [J] enthalpy of air let in, and of the air closed in
   double lost_energy = 0.0;         // [J] held by particles that left the domain
   double lost_oxygen = 0.0;         // [mol] O2 bound in them
   double heat_exchanged = 0.0;      // [J] sum over particles of the absolute heat received
@@ -85,12 +92,14 @@ void for_each_flux(F& f, Visitor&& visit) {
   visit("reaction", "J", f.reaction);
   visit("oxygen_released", "mol", f.oxygen_released);
   visit("oxygen_to_air", "mol", f.oxygen_to_air);
+  visit("nitrogen_to_air", "mol", f.nitrogen_to_air);
   visit("oxygen_pumped", "mol", f.oxygen_pumped);
   visit("nitrogen_pumped", "mol", f.nitrogen_pumped);
   visit("oxygen_closed_in", "mol", f.oxygen_closed_in);
   visit("nitrogen_closed_in", "mol", f.nitrogen_closed_in);
   visit("oxygen_leaked", "mol", f.oxygen_leaked);
   visit("nitrogen_leaked", "mol", f.nitrogen_leaked);
+  visit("pump_work", "J", f.pump_work);
   visit("gas_energy_out", "J", f.gas_energy_out);
   visit("gas_energy_in", "J", f.gas_energy_in);
   visit("lost_energy", "J", f.lost_energy);
@@ -101,10 +110,11 @@ void for_each_flux(F& f, Visitor&& visit) {
 
 // What changed over the last interval of the network; what the next one's coefficients expect.
 struct Trend {
-  double length = 0.0;          // [s] of that interval; 0: there was none
-  double ln_pressure = 0.0;     // [1] change of ln p of the gas
-  std::vector<double> warming;  // [K] of each particle, by id
-  std::vector<double> heating;  // [J] of each wall cell
+  double length = 0.0;                   // [s] of that interval; 0: there was none
+  double ln_pressure = 0.0;              // [1] change of ln p of the gas
+  std::vector<double> ln_pore_pressure;  // [1] likewise in each layer of pores
+  std::vector<double> warming;           // [K] of each particle, by id
+  std::vector<double> heating;           // [J] of each wall cell
 };
 
 struct LostParticle {

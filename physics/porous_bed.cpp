@@ -1,0 +1,110 @@
+#include "physics/porous_bed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pmr/base/constants.hpp"
+#include "pmr/base/errors.hpp"
+
+namespace pmr::physics {
+namespace {
+
+using Point = Eigen::Vector2d;
+constexpr int corners = 16;  // of the polygon that stands for a sphere's circle, of the same area
+
+double cross(const Point& o, const Point& a, const Point& b) {
+  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+}
+
+// Area [m2] of the convex hull (Andrew's monotone chain).
+double hull_area(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  std::vector<Point> hull;
+  const auto add = [&](const Point& p, std::size_t floor) {
+    while (hull.size() >= floor + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0)
+      hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Point& p : points) add(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (std::size_t k = points.size() - 1; k-- > 0;) add(points[k], lower);
+  double doubled = 0.0;
+  for (std::size_t k = 0; k + 1 < hull.size(); ++k)
+    doubled += hull[k].x() * hull[k + 1].y() - hull[k + 1].x() * hull[k].y();
+  return 0.5 * std::abs(doubled);
+}
+
+double footprint(const Particles& p) {
+  std::vector<Point> points;
+  const double swell = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * pi * k / corners;
+      points.push_back(p.position[i].head<2>() +
+                       swell * p.radius[i] * Point(std::cos(angle), std::sin(angle)));
+    }
+  return hull_area(std::move(points));
+}
+
+// Part [1] of a sphere's volume that lies below the height h over its centre, in radii.
+double part_below(double h) {
+  const double x = std::clamp(h, -1.0, 1.0);
+  return 0.25 * (2.0 + 3.0 * x - x * x * x);
+}
+
+}  // namespace
+
+double carman_kozeny(double sauter_diameter, double porosity) {
+  const double solid = 1.0 - porosity;
+  return sauter_diameter * sauter_diameter * porosity * porosity * porosity /
+         (180.0 * solid * solid);
+}
+
+double capillary_radius(double permeability, double porosity, double tortuosity) {
+  return std::sqrt(8.0 * tortuosity * permeability / porosity);
+}
+
+double slip_factor(double mean_free_path, double capillary_radius) {
+  return 1.0 + 4.0 * mean_free_path / capillary_radius;
+}
+
+LayeredBed cut_in_layers(const Particles& p, std::size_t count, double part) {
+  LayeredBed bed;
+  ensure(p.size() > 0, "a bed has particles");
+  std::vector<double> tops(p.size());
+  double floor = p.position[0].z();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    tops[i] = p.position[i].z() + p.radius[i];
+    floor = std::min(floor, p.position[i].z() - p.radius[i]);
+  }
+  const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(p.size() - 1));
+  std::nth_element(tops.begin(), tops.begin() + rank, tops.end());
+  const double height = (tops[static_cast<std::size_t>(rank)] - floor) / static_cast<double>(count);
+  bed.layers.assign(count, {footprint(p), height, 0.0, 0.0, 0.0});
+  bed.layer_of.resize(p.size());
+  const auto last = static_cast<double>(count - 1);
+  const auto layer_at = [&](double z) {
+    return static_cast<std::size_t>(std::clamp(std::floor((z - floor) / height), 0.0, last));
+  };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double z = p.position[i].z(), r = p.radius[i];
+    const double volume = 4.0 / 3.0 * pi * r * r * r;
+    bed.layer_of[i] = static_cast<std::uint32_t>(layer_at(z));
+    double below = 0.0;  // [1]
+    for (std::size_t k = layer_at(z - r); k <= layer_at(z + r); ++k) {
+      const double ceiling = floor + static_cast<double>(k + 1) * height;
+      const double up_to = k + 1 == count ? 1.0 : part_below((ceiling - z) / r);
+      bed.layers[k].solid_volume += (up_to - below) * volume;
+      bed.layers[k].surface += (up_to - below) * 3.0 * volume / r;
+      below = up_to;
+    }
+  }
+  for (BedLayer& layer : bed.layers)
+    layer.sauter_diameter = layer.surface > 0.0 ? 6.0 * layer.solid_volume / layer.surface : 0.0;
+  return bed;
+}
+
+}  // namespace pmr::physics

@@ -1,0 +1,131 @@
+#include "sim/yield.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "chemistry/gas.hpp"
+#include "chemistry/redox.hpp"
+#include "chemistry/solids.hpp"
+#include "coupling/thermal_state.hpp"
+
+namespace pmr::sim {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// All of a species as one solid, as it was charged.
+struct Charge {
+  chemistry::Solid solid;
+  double temperature, delta;  // [K], [1] at the start
+
+  const Redox* redox() const { return solid.material->redox ? &*solid.material->redox : nullptr; }
+  double mass() const {  // [kg] at the start
+    return redox() ? solid.amount * chemistry::molar_mass(*redox(), delta) : solid.amount;
+  }
+};
+
+std::vector<Charge> charges(const Case& c, const State& state) {
+  std::vector<Charge> all;
+  for (const Species& species : c.species)
+    all.push_back({{&c.materials.list[species.material], 0.0},
+                   species.initial_temperature,
+                   coupling::initial_delta(c, species)});
+  const Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Charge& charge = all[p.species[i]];
+    charge.solid.amount += charge.redox() ? p.iron[i] : p.mass[i];
+  }
+  return all;
+}
+
+double ideal_pressure(const ChamberCase& chamber) {
+  return chamber.pump ? chamber.pump->set_point : chamber.oxygen_fraction * chamber.pressure;
+}
+
+// What the charge holds at T beyond its start, and the oxygen that left.
+struct Held {
+  double energy, oxygen;  // [J], [mol]
+};
+Held held_at(const std::vector<Charge>& charge, double T, double pressure) {
+  Held held{0.0, 0.0};
+  for (const Charge& one : charge) {
+    if (!(one.solid.amount > 0.0)) continue;
+    const Redox* redox = one.redox();
+    const double delta =
+        redox ? chemistry::equilibrium_delta(redox->equilibrium, T, pressure) : 0.0;
+    held.energy += chemistry::enthalpy(one.solid, T, delta) -
+                   chemistry::enthalpy(one.solid, one.temperature, one.delta);
+    if (redox) held.oxygen += 0.5 * one.solid.amount * (delta - one.delta);
+  }
+  held.energy += held.oxygen * chemistry::oxygen_heat(T).enthalpy;
+  return held;
+}
+
+// First time [s] at which the column reaches `level`.
+double time_to(const io::Series& series, const std::vector<double>& values, double level) {
+  const std::vector<double>& time = series.values("time");
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k] >= level) {
+      const double rise = values[k] - values[k - 1];
+      const double part = rise > 0.0 ? (level - values[k - 1]) / rise : 1.0;
+      return time[k - 1] + std::clamp(part, 0.0, 1.0) * (time[k] - time[k - 1]);
+    }
+  return nan;
+}
+
+double mean_from(const io::Series& series, const std::vector<double>& values, double begin) {
+  const std::vector<double>& time = series.values("time");
+  double sum = 0.0, length = 0.0;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    if (time[k - 1] < begin) continue;
+    const double step = time[k] - time[k - 1];
+    sum += 0.5 * (values[k] + values[k - 1]) * step;
+    length += step;
+  }
+  return length > 0.0 ? sum / length : nan;
+}
+
+}  // namespace
+
+// The energy that is held rises with T: bisection.
+IdealEnd ideal_end(const Case& c, const State& state) {
+  const std::vector<Charge> charge = charges(c, state);
+  const double pressure = ideal_pressure(*c.chamber);
+  double low = chemistry::lowest_temperature, high = chemistry::highest_temperature;
+  while (high - low > 1e-6) {
+    const double middle = 0.5 * (low + high);
+    (held_at(charge, middle, pressure).energy > 0.0 ? high : low) = middle;
+  }
+  return {0.5 * (low + high), held_at(charge, 0.5 * (low + high), pressure).oxygen};
+}
+
+Yield measure_yield(const Case& c, const State& state, const io::Series& series) {
+  double redox_mass = 0.0, inert_heat = 0.0;
+  for (const Charge& one : charges(c, state))
+    if (one.redox())
+      redox_mass += one.mass();
+    else if (one.solid.amount > 0.0)
+      inert_heat += chemistry::enthalpy(one.solid, one.temperature, 0.0);
+  const Particles& p = state.particles;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (!c.materials.list[c.species[p.species[i]].material].redox) inert_heat -= p.enthalpy[i];
+  const bool has_course = series.rows() > 0 && series.has("oxygen_released");
+  const std::vector<double> none;
+  const auto& released = has_course ? series.values("oxygen_released") : none;
+  const double peak = has_course ? *std::max_element(released.begin(), released.end()) : nan;
+  const IdealEnd ideal = ideal_end(c, state);
+  return {state.fluxes.oxygen_released / redox_mass,
+          peak / redox_mass,
+          ideal.oxygen / redox_mass,
+          ideal.temperature,
+          peak / ideal.oxygen,
+          state.fluxes.reaction / inert_heat,
+          has_course && peak > 0.0 ? time_to(series, released, 0.9 * peak) : nan,
+          has_course && c.chamber->pump
+              ? mean_from(series, series.values("pressure"), c.chamber->pump->start)
+              : nan,
+          state.fluxes.pump_work};
+}
+
+}  // namespace pmr::sim
