@@ -66,9 +66,11 @@ class Course {
   }
 
  private:
+  // Columns that are made here: "rate of X", and "excess of X", its pressure over the chamber's.
   static bool is_rate(const std::string& column) { return column.rfind("rate of ", 0) == 0; }
+  static bool is_excess(const std::string& column) { return column.rfind("excess of ", 0) == 0; }
   static std::string source(const std::string& column) {
-    return is_rate(column) ? column.substr(8) : column;
+    return is_rate(column) ? column.substr(8) : is_excess(column) ? column.substr(10) : column;
   }
   bool has(std::size_t r, const std::string& column) const {
     return runs_[r]->series.has(source(column)) && runs_[r]->series.rows() > 1;
@@ -78,6 +80,10 @@ class Course {
     const io::Series& series = runs_[r]->series;
     std::vector<double> values = thinned(series.values(source(name)));
     if (is_rate(name)) values = slope(thinned(series.values("time")), values);
+    if (is_excess(name)) {
+      const std::vector<double> chamber = thinned(series.values("pressure"));
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] -= chamber[k];
+    }
     return charts_.column("run" + std::to_string(r + 1) + "." + name, values);
   }
 
@@ -213,6 +219,11 @@ std::string gas_and_heat(Course& course) {
                         {"pressure_bed_top", "uppermost layer", "#999999", "", ""},
                         {"oxygen_pressure_bed_bottom", "O₂, lowest", "#d55e00", "", ""},
                         {"oxygen_pressure_bed_top", "O₂, uppermost", "#e69f00", "", ""}},
+                       "the bed's gas was not resolved in this case.");
+  html += course.chart("bed_overpressure", "Pressure in the bed over the chamber's",
+                       {"pressure difference", "Pa"},
+                       {{"excess of pressure_bed_bottom", "lowest layer", "#222222", "", ""},
+                        {"excess of pressure_bed_top", "uppermost layer", "#999999", "", ""}},
                        "the bed's gas was not resolved in this case.");
   html += course.chart("heat", "Heat moved since the start, by path", {"heat", "kJ", false, 1e-3},
                        heat_lines(""), "no heat transfer in this case.");

@@ -25,6 +25,7 @@ std::vector<Check> bulk_checks();
 std::vector<Check> chemistry_checks();
 std::vector<Check> coupling_checks();
 std::vector<Check> bed_gas_checks();
+std::vector<Check> granule_checks();
 
 // All of them, in this order.
 std::vector<Check> all_checks();
