@@ -59,7 +59,7 @@ std::optional<ReactPhase> read_react(Table& root) {
   react.end = table.value("end", a_duration);
   react.first_interval = table.value("first_interval", a_duration, 0.02);
   react.growth = table.value("growth", {Dimension::none, not_negative}, 0.3);
-  react.longest_interval = table.value("longest_interval", a_duration, 60.0);
+  react.longest_interval = table.value("longest_interval", a_duration, 120.0);
   return react;
 }
 

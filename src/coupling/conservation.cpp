@@ -48,24 +48,13 @@ Eigen::VectorXd Linearisation::gas_product(std::span<const double> v) const {
   temperature_changes(v, change);
   const Eigen::VectorXd gas = gas_part(v);
   const std::vector<double> pressure = pressure_changes(gas), film = film_changes(gas, change);
-  const auto from_bed = parallel_bins(reactions_.size(), 3 * system_.bodies(),
-                                      [&](std::size_t k, std::vector<double>& sums) {
-                                        const Reaction& r = reactions_[k];
-                                        const Given given = given_change(r, k, v, change, pressure);
-                                        sums[3 * r.body] += given.oxygen;
-                                        sums[3 * r.body + 2] += given.energy;
-                                      });
-  Eigen::VectorXd rows = gas_jacobian_ * gas;
-  for (std::size_t k = 0; k < from_bed.size(); ++k)
-    rows[static_cast<Eigen::Index>(k)] += from_bed[k];
-  for (std::size_t k = 0; k < film.size(); ++k)
-    rows[static_cast<Eigen::Index>(3 * k + 2)] -= film[k];
-  if (!system_.closed) return rows;
+  const auto given =
+      given_by_bed(v, change, pressure, [](const Reaction&, std::size_t, const Given&) {});
   const std::size_t node = system_.nodes->gas();  // takes no part in radiation
-  rows[rows.size() - 1] +=
+  const double to_chamber =
       sum_row(system_.conductance, node, [&](std::uint32_t j, double w) { return w * change[j]; }) -
       conduction_sum_[node] * change[node];
-  return rows;
+  return gas_rows(gas, given, film, to_chamber);
 }
 
 // The gas' rows of J by the gas' unknowns, the particles as they are.

@@ -228,22 +228,26 @@ void Linearisation::product(std::span<const double> v, std::span<double> jv) con
     jv[id] = system_.stores[id] != 0 ? heat[id] : 0.0;
     if (id < pores.share.size()) jv[id] += pores.share[id] * film[pores.layer_of[id]];
   });
-  const auto from_bed = parallel_bins(reactions_.size(), 3 * system_.bodies(),
-                                      [&](std::size_t k, std::vector<double>& sums) {
-                                        const Reaction& r = reactions_[k];
-                                        const Given given = given_change(r, k, v, change, pressure);
-                                        jv[r.id] -= given.energy;
-                                        jv[system_.delta_begin() + k] = 2.0 * given.oxygen / r.iron;
-                                        if (r.body == System::no_body) return;
-                                        sums[3 * r.body] += given.oxygen;
-                                        sums[3 * r.body + 2] += given.energy;
-                                      });
+  const auto given =
+      given_by_bed(v, change, pressure, [&](const Reaction& r, std::size_t k, const Given& one) {
+        jv[r.id] -= one.energy;
+        jv[system_.delta_begin() + k] = 2.0 * one.oxygen / r.iron;
+      });
   wall_product(heat, v, jv);
-  const Eigen::VectorXd by_itself = gas_jacobian_ * gas;
-  for (std::size_t k = 0; k < from_bed.size(); ++k)
-    jv[system_.gas_begin() + k] = by_itself[static_cast<Eigen::Index>(k)] + from_bed[k];
-  for (std::size_t k = 0; k < film.size(); ++k) jv[system_.gas_begin() + 3 * k + 2] -= film[k];
-  if (system_.closed) jv[system_.chamber_begin() + 2] += heat[system_.nodes->gas()];
+  const Eigen::VectorXd rows = gas_rows(gas, given, film, heat[system_.nodes->gas()]);
+  for (std::size_t k = 0; k < given.size(); ++k)
+    jv[system_.gas_begin() + k] = rows[static_cast<Eigen::Index>(k)];
+}
+
+Eigen::VectorXd Linearisation::gas_rows(const Eigen::VectorXd& gas,
+                                        const std::vector<double>& given,
+                                        const std::vector<double>& film, double to_chamber) const {
+  Eigen::VectorXd rows = gas_jacobian_ * gas;
+  for (std::size_t k = 0; k < given.size(); ++k) rows[static_cast<Eigen::Index>(k)] += given[k];
+  for (std::size_t k = 0; k < film.size(); ++k)
+    rows[static_cast<Eigen::Index>(3 * k + 2)] -= film[k];
+  if (system_.closed) rows[rows.size() - 1] += to_chamber;
+  return rows;
 }
 
 }  // namespace pmr::coupling

@@ -56,7 +56,25 @@ class Linearisation {
                      const std::vector<double>& change, const std::vector<double>& pressure) const;
   Eigen::MatrixXd gas_by_gas() const;
   double heat_loss(std::size_t body) const;  // [W/K] of a body of gas to what is solid
-  Eigen::VectorXd gas_product(std::span<const double> v) const;  // the gas' rows of J v
+  // What the bed gives to each body of gas, three figures each; write(reaction, k, given) is told
+  // of every reactant.
+  template <class Write>
+  std::vector<double> given_by_bed(std::span<const double> v, const std::vector<double>& change,
+                                   const std::vector<double>& pressure, const Write& write) const {
+    return parallel_bins(reactions_.size(), 3 * system_.bodies(),
+                         [&](std::size_t k, std::vector<double>& sums) {
+                           const Reaction& r = reactions_[k];
+                           const Given given = given_change(r, k, v, change, pressure);
+                           write(r, k, given);
+                           if (r.body == System::no_body) return;
+                           sums[3 * r.body] += given.oxygen;
+                           sums[3 * r.body + 2] += given.energy;
+                         });
+  }
+  // The gas' rows of J v, from their parts; `to_chamber` [W] comes by the chamber's films.
+  Eigen::VectorXd gas_rows(const Eigen::VectorXd& gas, const std::vector<double>& given,
+                           const std::vector<double>& film, double to_chamber) const;
+  Eigen::VectorXd gas_product(std::span<const double> v) const;
   void prepare_sums(double gamma);
   void fix_gas(double t, std::span<const double> y);
   // Change of pO2 [Pa] in each body of gas with its three unknowns.
