@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "pmr/base/parallel.hpp"
 
@@ -14,21 +16,49 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr int most_sweeps = 60;        // [1] about 30 do for a closed bed
 constexpr double good_enough = 1e-10;  // [1] of row sums
 
-// rows[j] lists who hit j, ascending: a fixed order, whoever counted first.
-std::vector<CountRow> transpose(const std::vector<CountRow>& rows) {
-  std::vector<std::size_t> length(rows.size(), 0);
-  for (const CountRow& row : rows)
-    for (const Count& c : row) ++length[c.node];
-  std::vector<CountRow> result(rows.size());
-  for (std::size_t j = 0; j < rows.size(); ++j) result[j].reserve(length[j]);
-  for (std::uint32_t i = 0; i < rows.size(); ++i)
-    for (const Count& c : rows[i]) result[c.node].push_back({i, c.rays});
-  return result;
+// Who hit each node, ascending.
+struct Received {
+  std::vector<std::uint64_t> start;  // [nodes + 1]
+  std::vector<Count> entry;
+  std::span<const Count> of(std::size_t j) const {
+    return {entry.data() + start[j], entry.data() + start[j + 1]};
+  }
+};
+
+constexpr std::size_t parts = 16;  // of the rows, each counted and dealt out on its own
+
+Received transpose(const std::vector<CountRow>& rows) {
+  const std::size_t nodes = rows.size();
+  const auto for_each_of_part = [&](std::size_t part, const auto& visit) {
+    for (std::size_t i = part * nodes / parts; i < (part + 1) * nodes / parts; ++i)
+      for (const Count& c : rows[i]) visit(static_cast<std::uint32_t>(i), c);
+  };
+  std::vector<std::vector<std::uint32_t>> place(parts, std::vector<std::uint32_t>(nodes, 0));
+  const auto count = [&](std::size_t part) {
+    for_each_of_part(part, [&](std::uint32_t, const Count& c) { ++place[part][c.node]; });
+  };
+  parallel_for(parts, count, 1);
+  std::vector<std::uint32_t> length(nodes, 0);
+  parallel_for(nodes, [&](std::size_t j) {  // counts become the parts' first places in a row
+    for (std::size_t part = 0; part < parts; ++part)
+      length[j] += std::exchange(place[part][j], length[j]);
+  });
+  Received received;
+  received.start.assign(nodes + 1, 0);
+  for (std::size_t j = 0; j < nodes; ++j) received.start[j + 1] = received.start[j] + length[j];
+  received.entry.resize(received.start.back());
+  const auto deal = [&](std::size_t part) {
+    for_each_of_part(part, [&](std::uint32_t i, const Count& c) {
+      received.entry[received.start[c.node] + place[part][c.node]++] = {i, c.rays};
+    });
+  };
+  parallel_for(parts, deal, 1);
+  return received;
 }
 
 // visit(j, sent, received) for each node that i has sent rays to or received rays from, ascending.
 template <class Visit>
-void for_each_partner(const CountRow& out, const CountRow& in, const Visit& visit) {
+void for_each_partner(std::span<const Count> out, std::span<const Count> in, const Visit& visit) {
   std::size_t a = 0, b = 0;
   while (a < out.size() || b < in.size()) {
     const std::uint32_t j =
@@ -43,11 +73,11 @@ void for_each_partner(const CountRow& out, const CountRow& in, const Visit& visi
 // columns are one-sided. Also the mean over rows of the Poisson error of the factor with most rays,
 // surroundings left out.
 Symmetric merge(const Counted& counted) {
-  const std::vector<CountRow> received = transpose(counted.rows);
+  const Received received = transpose(counted.rows);
   const std::size_t nodes = counted.rows.size();
   std::vector<std::uint64_t> length(nodes, 0), most(nodes, 0);
   parallel_for(nodes, [&](std::size_t i) {
-    for_each_partner(counted.rows[i], received[i],
+    for_each_partner(counted.rows[i], received.of(i),
                      [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
                        if (j == i) return;
                        ++length[i];
@@ -68,7 +98,7 @@ Symmetric merge(const Counted& counted) {
   };
   parallel_for(nodes, [&](std::size_t i) {
     std::uint64_t k = g.start[i];
-    for_each_partner(counted.rows[i], received[i],
+    for_each_partner(counted.rows[i], received.of(i),
                      [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
                        const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
                        const double both = power(i, sent) + power(j, back);

@@ -16,9 +16,8 @@ Linearisation::Sums Linearisation::sums(std::span<const double> v) const {
 
 // Heat between bodies cancels; what is left crosses the border: to reservoirs, to the outside of
 // walls, by pump, leak and vent, to the open air.
-Linearisation::Sums Linearisation::sums_of_product(std::span<const double> v) const {
-  std::vector<double> change;
-  temperature_changes(v, change);
+Linearisation::Sums Linearisation::sums_of_product(std::span<const double> v,
+                                                   const std::vector<double>& change) const {
   double energy = -parallel_sum(change.size(), [&](std::size_t i) {
     const double out = conduction_out_[i] + exchange_out_[i] * emission_slope_[i];  // [W/K]
     return system_.stores[i] != 0 ? out * change[i] : 0.0;
@@ -43,9 +42,8 @@ Linearisation::Sums Linearisation::sums_of_product(std::span<const double> v) co
   return {energy - released[0], -released[1]};
 }
 
-Eigen::VectorXd Linearisation::gas_product(std::span<const double> v) const {
-  std::vector<double> change;
-  temperature_changes(v, change);
+Eigen::VectorXd Linearisation::gas_product(std::span<const double> v,
+                                           const std::vector<double>& change) const {
   const Eigen::VectorXd gas = gas_part(v);
   const std::vector<double> pressure = pressure_changes(gas), film = film_changes(gas, change);
   const auto given =
@@ -96,27 +94,36 @@ void Linearisation::prepare_sums(double gamma) {
   if (system_.bodies() > 0) {
     const auto size = static_cast<Eigen::Index>(3 * system_.bodies());
     gas_rows_.compute(Eigen::MatrixXd::Identity(size, size) - gamma * gas_by_gas());
-    for (std::vector<double>* move : {&warmth_, &bound_}) {
-      const Eigen::VectorXd follows = gas_rows_.solve(gamma * gas_product(*move));
-      for (Eigen::Index k = 0; k < size; ++k)
-        (*move)[system_.gas_begin() + static_cast<std::size_t>(k)] = follows[k];
-    }
   }
   Eigen::Matrix2d response = Eigen::Matrix2d::Identity();
-  response.col(0) = sums(warmth_) - gamma * sums_of_product(warmth_);
-  if (!reactions_.empty()) response.col(1) = sums(bound_) - gamma * sums_of_product(bound_);
+  const auto answer = [&](std::vector<double>& move) {
+    std::vector<double> change;
+    temperature_changes(move, change);
+    solve_gas(gamma, std::vector<double>(move.size(), 0.0), move, change);
+    return Sums(sums(move) - gamma * sums_of_product(move, change));
+  };
+  response.col(0) = answer(warmth_);
+  if (!reactions_.empty()) response.col(1) = answer(bound_);
   sums_inverse_ = response.inverse();
+}
+
+// Solves the gas' rows of (I - gamma J) x = b for the gas; `change` follows x.
+void Linearisation::solve_gas(double gamma, std::span<const double> b, std::span<double> x,
+                              std::vector<double>& change) const {
+  if (system_.bodies() == 0) return;
+  const Eigen::VectorXd missing = gas_part(b) - (gas_part(x) - gamma * gas_product(x, change));
+  const Eigen::VectorXd more = gas_rows_.solve(missing);
+  for (Eigen::Index k = 0; k < more.size(); ++k)
+    x[system_.gas_begin() + static_cast<std::size_t>(k)] += more[k];
+  if (system_.closed) change[system_.nodes->gas()] += temperature_row_.back().dot(more.tail<3>());
 }
 
 void Linearisation::keep_sums(double gamma, std::span<const double> b, std::span<double> x) {
   if (gamma != sums_gamma_) prepare_sums(gamma);
-  if (system_.bodies() > 0) {
-    const Eigen::VectorXd missing = gas_part(b) - (gas_part(x) - gamma * gas_product(x));
-    const Eigen::VectorXd change = gas_rows_.solve(missing);
-    for (Eigen::Index k = 0; k < change.size(); ++k)
-      x[system_.gas_begin() + static_cast<std::size_t>(k)] += change[k];
-  }
-  const Sums missing = sums(b) - (sums(x) - gamma * sums_of_product(x));
+  std::vector<double> change;
+  temperature_changes(x, change);
+  solve_gas(gamma, b, x, change);
+  const Sums missing = sums(b) - (sums(x) - gamma * sums_of_product(x, change));
   const Sums part = sums_inverse_ * missing;
   parallel_for(x.size(),
                [&](std::size_t i) { x[i] += part[0] * warmth_[i] + part[1] * bound_[i]; });

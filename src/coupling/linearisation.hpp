@@ -50,7 +50,8 @@ class Linearisation {
   };
 
   Sums sums(std::span<const double> v) const;
-  Sums sums_of_product(std::span<const double> v) const;  // of J v: flows over the border only
+  // Of J v, v with its changes of temperature [K]: flows over the border only.
+  Sums sums_of_product(std::span<const double> v, const std::vector<double>& change) const;
 
   Given given_change(const Reaction& r, std::size_t k, std::span<const double> v,
                      const std::vector<double>& change, const std::vector<double>& pressure) const;
@@ -74,7 +75,9 @@ class Linearisation {
   // The gas' rows of J v, from their parts; `to_chamber` [W] comes by the chamber's films.
   Eigen::VectorXd gas_rows(const Eigen::VectorXd& gas, const std::vector<double>& given,
                            const std::vector<double>& film, double to_chamber) const;
-  Eigen::VectorXd gas_product(std::span<const double> v) const;
+  Eigen::VectorXd gas_product(std::span<const double> v, const std::vector<double>& change) const;
+  void solve_gas(double gamma, std::span<const double> b, std::span<double> x,
+                 std::vector<double>& change) const;
   void prepare_sums(double gamma);
   void fix_gas(double t, std::span<const double> y);
   // Change of pO2 [Pa] in each body of gas with its three unknowns.
