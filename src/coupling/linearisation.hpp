@@ -97,6 +97,10 @@ class Linearisation {
   void factor_walls(double gamma);
   void factor_gas(double gamma);
 
+  Eigen::Matrix2d sums_inverse_ = Eigen::Matrix2d::Identity();  // of the sums' answers to two moves
+  std::vector<double> warmth_, bound_;                          // those moves, as unknowns
+  double sums_gamma_ = 0.0;  // [s] that sums_inverse_ stands for; 0: none
+  double gamma_ = 0.0;       // [s]
   const System& system_;
   std::vector<double> conduction_sum_, exchange_sum_;  // [W/K], [m2] row sums by node
   std::vector<double> conduction_out_, exchange_out_;  // [W/K], [m2] likewise, to reservoirs alone
@@ -104,18 +108,14 @@ class Linearisation {
   std::vector<double> capacity_;                       // [J/K] by particle id
   std::vector<double> cell_capacity_;                  // [J/K] by wall cell
   std::vector<Reaction> reactions_;
-  Eigen::MatrixXd gas_jacobian_;        // of the gas alone, by its unknowns
   std::vector<Vec3> temperature_row_;   // by body: dT/d(n_O2, n_N2, U)
   std::vector<Vec3> pressure_row_;      // by body: dpO2/d(n_O2, n_N2, U)
-  double gamma_ = 0.0;                  // [s]
   std::vector<double> particle_pivot_;  // [1] of particles that do not react, by id
   std::vector<Block> blocks_;           // by reactant
   std::vector<double> wall_lower_, wall_pivot_, wall_upper_;  // LU of the columns, by cell
+  Eigen::MatrixXd gas_jacobian_;                              // of the gas alone, by its unknowns
   Eigen::PartialPivLU<Eigen::MatrixXd> gas_solver_;           // of the Schur complement
-  double sums_gamma_ = 0.0;             // [s] that sums_inverse_ stands for; 0: none
-  std::vector<double> warmth_, bound_;  // two small moves, as unknowns
-  Eigen::Matrix2d sums_inverse_ = Eigen::Matrix2d::Identity();  // of the sums' answers to them
-  Eigen::PartialPivLU<Eigen::MatrixXd> gas_rows_;               // I - gamma J of the gas by the gas
+  Eigen::PartialPivLU<Eigen::MatrixXd> gas_rows_;             // I - gamma J of the gas by the gas
 };
 
 }  // namespace pmr::coupling
