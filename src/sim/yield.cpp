@@ -114,7 +114,8 @@ Yield measure_yield(const Case& c, const State& state, const io::Series& series)
   const std::vector<double> none;
   const auto& released = has_course ? series.values("oxygen_released") : none;
   const double peak = has_course ? *std::max_element(released.begin(), released.end()) : nan;
-  const IdealEnd ideal = ideal_end(c, state);
+  IdealEnd ideal = ideal_end(c, state);
+  if (!(ideal.oxygen > 0.0)) ideal = {nan, nan};  // a cold charge would only take oxygen up
   return {state.fluxes.oxygen_released / redox_mass,
           peak / redox_mass,
           ideal.oxygen / redox_mass,
