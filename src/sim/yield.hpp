@@ -9,7 +9,8 @@ namespace pmr::sim {
 struct Yield {
   double oxygen_per_kg;      // [mol O2/kg] net, of redox material as charged
   double peak_per_kg;        // [mol O2/kg] the most that was off at any time
-  double ideal_per_kg;       // [mol O2/kg] of the charge in one adiabatic piece, see ideal_end()
+  double ideal_per_kg;       // [mol O2/kg] of the charge in one adiabatic piece, see ideal_end();
+                             // NaN where it would only take oxygen up
   double ideal_temperature;  // [K] of that piece
   double part_of_ideal;      // [1] peak over ideal
   double
