@@ -71,7 +71,7 @@ double slip_factor(double mean_free_path, double capillary_radius) {
   return 1.0 + 4.0 * mean_free_path / capillary_radius;
 }
 
-LayeredBed cut_in_layers(const Particles& p, std::size_t count, double part) {
+LayeredBed cut_in_layers(const Particles& p, std::size_t most, double part) {
   LayeredBed bed;
   ensure(p.size() > 0, "a bed has particles");
   std::vector<double> tops(p.size());
@@ -82,7 +82,12 @@ LayeredBed cut_in_layers(const Particles& p, std::size_t count, double part) {
   }
   const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(p.size() - 1));
   std::nth_element(tops.begin(), tops.begin() + rank, tops.end());
-  const double height = (tops[static_cast<std::size_t>(rank)] - floor) / static_cast<double>(count);
+  const double whole = tops[static_cast<std::size_t>(rank)] - floor;
+  const double largest = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
+  constexpr double rounding = 1e-9;  // [1]
+  const double fit = std::floor(whole / largest + rounding);
+  const auto count = static_cast<std::size_t>(std::clamp(fit, 1.0, static_cast<double>(most)));
+  const double height = whole / static_cast<double>(count);
   bed.layers.assign(count, {footprint(p), height, 0.0, 0.0, 0.0});
   bed.layer_of.resize(p.size());
   const auto last = static_cast<double>(count - 1);

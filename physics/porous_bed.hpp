@@ -37,8 +37,10 @@ struct LayeredBed {
 };
 
 // Cuts the bed from its lowest point to the height that `part` [1] of the particles stay below into
-// `count` layers of equal height. Spheres are cut where the layers are; what lies higher belongs to
-// the uppermost as a whole. A layer's hull is that of all spheres, so that walls stay straight.
-LayeredBed cut_in_layers(const Particles& particles, std::size_t count, double part = 0.99);
+// layers of equal height: `most` of them, or as many as are no thinner than the largest diameter,
+// since less is no porous medium; one at least. Spheres are cut where the layers are; what lies
+// higher belongs to the uppermost as a whole. A layer's hull is that of all spheres, so that walls
+// stay straight.
+LayeredBed cut_in_layers(const Particles& particles, std::size_t most, double part = 0.99);
 
 }  // namespace pmr::physics

@@ -52,6 +52,13 @@ TEST_CASE("a lattice has its own porosity, but for the hull's round corners") {
   for (std::size_t i = 0; i < 216; ++i) CHECK(bed.layer_of[i] == i % 6);
 }
 
+TEST_CASE("no layer is thinner than the largest sphere, and one sphere is a bed") {
+  CHECK(cut_in_layers(cubic(6, 1e-3), 100).layers.size() == 6);
+  const LayeredBed bed = cut_in_layers(cubic(1, 1e-3), 12);
+  REQUIRE(bed.layers.size() == 1);
+  CHECK(bed.layers[0].porosity() == Approx(1.0 / 3.0).epsilon(1e-6));  // a sphere in its cylinder
+}
+
 TEST_CASE("permeability and slip of a bed of 2 mm spheres") {
   const double K = carman_kozeny(2e-3, 0.41);
   CHECK(K == Approx(4.4e-9).epsilon(0.01));  // by hand: d^2 psi^3/(180 (1 - psi)^2)
