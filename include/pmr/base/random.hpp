@@ -11,6 +11,7 @@ enum class Purpose : std::uint64_t {
   quasi_shift = 3,
   sizes = 4,
   pouring = 5,
+  bootstrap = 6,
   test = 99
 };
 
