@@ -18,4 +18,8 @@ Case load_case_text(const std::string& text, const std::string& name,
                     const std::filesystem::path& base_dir = {},
                     std::span<const std::string> sets = {});
 
+// The case's text (Case::text) without all that moves no particle: titles, temperatures, heat, gas,
+// chemistry, instruments. Cases of equal mechanical text and equal particles mix the same bed.
+std::string mechanical_text(const std::string& case_text);
+
 }  // namespace pmr::casefile

@@ -91,6 +91,24 @@ Node& place_for(Node& node, const std::string& key, const std::string& setting) 
   return member;
 }
 
+// A law or a kind comes whole, and so does a figure; a constant of a law may come alone.
+bool states_itself(const Node& over, const Node& base) {
+  const bool has_law = base.find("law") != nullptr || base.find("kind") != nullptr;
+  return over.find("law") != nullptr || over.find("kind") != nullptr ||
+         (!has_law && (over.find("value") != nullptr || base.find("value") != nullptr));
+}
+
+// What is changed is no longer what the source says.
+void disown(Node& base, const Node& over) {
+  Node& source = base.members["source"];
+  source.text = "with values of the case; " + source.text;
+  Node mark;
+  mark.kind = Node::Kind::string;
+  mark.place = over.place;
+  mark.text = "A";
+  base.members["mark"] = mark;
+}
+
 }  // namespace
 
 std::string to_string(const Place& place) {
@@ -153,14 +171,12 @@ void apply_setting(Node& root, const std::string& setting) {
 }
 
 void merge(Node& base, const Node& over) {
-  const bool whole = !base.is_table() || !over.is_table() || base.find("value") != nullptr ||
-                     over.find("value") != nullptr || over.find("law") != nullptr ||
-                     over.find("kind") != nullptr;
-  if (whole) {
+  if (!base.is_table() || !over.is_table() || states_itself(over, base)) {
     base = over;
     return;
   }
   base.place = over.place;
+  if (base.find("source") != nullptr && over.find("source") == nullptr) disown(base, over);
   for (const auto& [key, node] : over.members) {
     const auto found = base.members.find(key);
     if (found == base.members.end())

@@ -44,8 +44,8 @@ std::string write_value(const Node& node);
 // tables are made (the reader then says whether the key is known); array elements go by index.
 void apply_setting(Node& root, const std::string& setting);
 
-// Lays `over` on `base`: tables that describe no single figure, law or kind are merged key by key,
-// anything else is replaced.
+// Lays `over` on `base`: tables are merged key by key; figures, and tables that name a law or a
+// kind, replace what stood there. Where constants of a sourced table change, it is marked assumed.
 void merge(Node& base, const Node& over);
 
 }  // namespace pmr::casefile

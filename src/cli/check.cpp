@@ -10,14 +10,10 @@
 #include "coupling/thermal_state.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"
-#include "sim/schedule.hpp"
+#include "sim/forecast.hpp"
 
 namespace pmr::cli {
 namespace {
-
-// Measured on two cores of a 2023 server, small and full rig; for a forecast to a factor of two.
-constexpr double particle_steps_per_second = 12e6;   // [1/s]
-constexpr double react_seconds_per_particle = 0.02;  // [s] of 30 minutes of reaction
 
 std::string grouped(std::size_t value) {
   std::string text = std::to_string(value);
@@ -49,18 +45,11 @@ std::size_t print_species(const Case& c) {
   return total;
 }
 
-void print_forecast(const Case& c, std::size_t particles, double step) {
-  const double moving = (c.fill ? c.fill->duration : 0.0) + (c.mix ? c.mix->duration : 0.0);
-  const double steps = moving / step;
-  const double seconds =
-      steps * static_cast<double>(particles) / particle_steps_per_second +
-      (c.react && sim::has_heat(c) ? react_seconds_per_particle * static_cast<double>(particles)
-                                   : 0.0);
-  const double frames =
-      moving / c.output.snapshot_interval + static_cast<double>(c.output.snapshot_times.size());
+void print_forecast(const Case& c) {
+  const sim::Forecast f = sim::forecast(c);
   fmt::print("forecast     at most {} steps, {:.2g} min on two cores, {:.2g} MB of output\n",
-             grouped(static_cast<std::size_t>(steps)), seconds / 60.0,
-             1e-6 * frames * static_cast<double>(particles) * 60.0);
+             grouped(static_cast<std::size_t>(f.steps)), (f.moving + f.reacting) / 120.0,
+             1e-6 * f.bytes);
 }
 
 }  // namespace
@@ -83,7 +72,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
                                      [](const Provenance& p) { return p.mark == 'A'; });
   fmt::print("sources      {} figures of the case, {} of them assumed\n", c.provenance.size(),
              assumed);
-  print_forecast(c, particles, step.step);
+  print_forecast(c);
   return done;
 }
 

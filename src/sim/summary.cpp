@@ -142,8 +142,17 @@ double largest_biot(const Case& c, const State& state, std::size_t species) {
   return largest;
 }
 
+// Highest mean temperature of a species over the run [K], and when [s].
+std::pair<double, double> hottest(const io::Series& series, const std::string& species) {
+  const std::string column = "temperature_mean." + species;
+  if (series.rows() == 0 || !series.has(column)) return {std::nan(""), std::nan("")};
+  const std::vector<double>& mean = series.values(column);
+  const auto top = std::max_element(mean.begin(), mean.end());
+  return {*top, series.values("time")[static_cast<std::size_t>(top - mean.begin())]};
+}
+
 Json thermal_of(const SummaryInput& in) {
-  Json mean, deviation, biot;
+  Json mean, deviation, biot, highest, highest_at;
   for (std::size_t s = 0; s < in.setup.species.size(); ++s) {
     const auto figures =
         instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
@@ -151,9 +160,14 @@ Json thermal_of(const SummaryInput& in) {
     mean[name] = number(figures.temperature.mean);
     deviation[name] = number(figures.temperature.deviation);
     biot[name] = largest_biot(in.setup, in.state, s);
+    const auto [top, at] = hottest(in.series, name);
+    highest[name] = number(top);
+    highest_at[name] = number(at);
   }
   return {{"temperature_mean", mean},
           {"temperature_std", deviation},
+          {"temperature_highest", highest},
+          {"temperature_highest_at", highest_at},
           {"biot_max", biot},
           {"heat_to_walls", in.state.fluxes.to_walls}};
 }
@@ -258,7 +272,9 @@ Json yield_of(const SummaryInput& in) {
           {"reaction_over_heat", number(yield.reaction_over_heat)},
           {"time_to_90", number(yield.time_to_90)},
           {"mean_pressure", number(yield.mean_pressure)},
-          {"pump_work", number(yield.pump_work)}};
+          {"pump_work", number(yield.pump_work)},
+          {"charge_heat", number(yield.charge_heat)},
+          {"charge_heat_per_mol", number(yield.charge_heat_per_mol)}};
 }
 
 void add_heat(const SummaryInput& in, Json& summary) {

@@ -86,6 +86,17 @@ double mean_from(const io::Series& series, const std::vector<double>& values, do
   return length > 0.0 ? sum / length : nan;
 }
 
+// The furnaces' useful heat [J]: all of the charge from the air's temperature, at its own delta.
+double charge_heat(const Case& c, const State& state) {
+  const double air = std::max(c.chamber->gas_temperature, chemistry::lowest_temperature);
+  double heat = 0.0;
+  for (const Charge& one : charges(c, state))
+    if (one.solid.amount > 0.0)
+      heat += chemistry::enthalpy(one.solid, one.temperature, one.delta) -
+              chemistry::enthalpy(one.solid, air, one.delta);
+  return heat;
+}
+
 }  // namespace
 
 // The energy that is held rises with T: bisection.
@@ -107,6 +118,7 @@ Yield measure_yield(const Case& c, const State& state, const io::Series& series)
       redox_mass += one.mass();
     else if (one.solid.amount > 0.0)
       inert_heat += chemistry::enthalpy(one.solid, one.temperature, 0.0);
+  const double spent = charge_heat(c, state);
   const Particles& p = state.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (!c.materials.list[c.species[p.species[i]].material].redox) inert_heat -= p.enthalpy[i];
@@ -126,7 +138,9 @@ Yield measure_yield(const Case& c, const State& state, const io::Series& series)
           has_course && c.chamber->pump
               ? mean_from(series, series.values("pressure"), c.chamber->pump->start)
               : nan,
-          state.fluxes.pump_work};
+          state.fluxes.pump_work,
+          spent,
+          peak > 0.0 ? spent / peak : nan};
 }
 
 }  // namespace pmr::sim

@@ -18,6 +18,8 @@ struct Yield {
   double time_to_90;       // [s] to nine tenths of the peak
   double mean_pressure;    // [Pa] over time, from the pump's start to the end; NaN without a pump
   double pump_work;        // [J] isothermal compression over the pump's efficiency
+  double charge_heat;      // [J] to bring the charge from the air's temperature to its own
+  double charge_heat_per_mol;  // [J/mol O2] that, over the peak
 };
 
 // The charge brought to one temperature without loss and reduced to equilibrium with pure oxygen of
