@@ -26,6 +26,7 @@ test: build
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE slow
 
 test-slow: build
+	@scripts/install-packages packages-slow.txt
 	@ctest --test-dir $(BUILD) --output-on-failure -L slow
 
 verify: build

@@ -23,6 +23,7 @@ struct Parser {
   CLI::App app{"Particle Mix Reactor: mixing, heat and oxygen release of granular beds"};
   RunOptions run_options;
   RenderOptions render_options;
+  SweepOptions sweep_options;
   std::vector<std::filesystem::path> folders;
   std::filesystem::path html;
   report::ReportWishes wishes;
@@ -35,6 +36,7 @@ struct Parser {
     run_options.command = command;
     add_run();
     add_looks();
+    add_sweep();
   }
 
   void add_run() {
@@ -86,6 +88,24 @@ struct Parser {
     verb->add_flag_callback(
         "--mechanics", [this] { run_options.sets.emplace_back("models.mechanics_only=true"); },
         "particles only: filling and mixing, without heat, gas and reaction");
+  }
+
+  void add_sweep() {
+    auto* verb = app.add_subcommand("sweep", "a design study: many runs, one table, one report");
+    verb->add_option("STUDY", sweep_options.study_file, "study file (TOML)")->required();
+    verb->add_option("-o,--output", sweep_options.folder, "study folder [out/<study>]");
+    verb->add_option("--set", sweep_options.sets,
+                     "key=value: a constant of the study, or a key of every case; repeatable")
+        ->expected(1)
+        ->take_all();
+    verb->add_option("--jobs", sweep_options.jobs, "runs at once [as many as threads]")
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--threads", sweep_options.threads, "threads of all together [all cores]")
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--engine", sweep_options.engine, "local, or slurm: job arrays by sbatch")
+        ->check(CLI::IsMember({"local", "slurm"}));
+    verb->add_flag("--plan", sweep_options.only_plan, "only say what would be done");
+    verb->callback([this] { action = [this] { return sweep(sweep_options); }; });
   }
 
   void add_looks() {

@@ -36,4 +36,15 @@ int render(const RenderOptions& options);
 
 int verify(bool json);
 
+struct SweepOptions {
+  std::filesystem::path study_file;
+  std::filesystem::path folder;   // empty: out/<name of the study file>
+  std::vector<std::string> sets;  // key=value of the study's constants or of every case
+  int jobs = 0;                   // runs at once; 0: as many as threads
+  int threads = 0;                // of all together; 0: all cores
+  std::string engine = "local";   // or "slurm"
+  bool only_plan = false;         // says what would be done, and does nothing
+};
+int sweep(const SweepOptions& options);
+
 }  // namespace pmr::cli

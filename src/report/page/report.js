@@ -12,6 +12,8 @@ pmr.kinds = {
   azimuth: { draw: pmr.draw_azimuth, rows: pmr.azimuth_rows },
   layers: { draw: pmr.draw_layers, rows: pmr.layer_rows },
   unrolled: { draw: pmr.draw_unrolled, rows: pmr.unrolled_rows },
+  scatter: { draw: pmr.draw_scatter, rows: pmr.scatter_rows },
+  bars: { draw: pmr.draw_bars, rows: pmr.bar_rows },
   flow: { draw: pmr.draw_flow, rows: pmr.flow_rows }
 };
 

@@ -1,0 +1,126 @@
+// pmr sweep: a study from its file to its table and report.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <map>
+#include <thread>
+
+#include "cli/console.hpp"
+#include "cli/sweep_progress.hpp"
+#include "cli/verbs.hpp"
+#include "pmr/base/errors.hpp"
+#include "study/engine.hpp"
+#include "study/page.hpp"
+#include "study/results.hpp"
+
+namespace pmr::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> stop_wanted{false};
+
+// The first Ctrl-C asks every run for a checkpoint, the second ends the process.
+void on_signal(int signal) {
+  stop_wanted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
+int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+struct Share {
+  std::size_t at_once;
+  int threads;  // [1] of each run
+};
+Share share_of(const SweepOptions& options) {
+  const int total = options.threads > 0 ? options.threads : cores();
+  const int at_once = options.jobs > 0 ? options.jobs : total;
+  return {static_cast<std::size_t>(at_once), std::max(1, total / at_once)};
+}
+
+void print_plan(const study::Study& study, const study::Plan& plan,
+                const std::vector<study::Job>& jobs, const Share& share) {
+  std::size_t faulty = 0, runs_left = 0;
+  double seconds = 0.0;
+  for (const auto& run : plan.runs) faulty += run.fault.empty() ? 0 : 1;
+  for (const auto& job : jobs) {
+    seconds += job.seconds;
+    runs_left += job.name.rfind("mixing ", 0) == 0 ? 0 : 1;
+  }
+  fmt::print("{}\n", study.title);
+  fmt::print("design   {} runs ({} points, {} of each), {} mixings shared by them\n",
+             plan.runs.size(), plan.runs.size() / study.replicates, study.replicates,
+             plan.mixings.size());
+  if (faulty > 0) fmt::print("wrong    {} runs whose case cannot be made; see the table\n", faulty);
+  fmt::print("to do    {} mixings and {} runs, {} at once, {} thread{} each\n",
+             jobs.size() - runs_left, runs_left, share.at_once, share.threads,
+             share.threads == 1 ? "" : "s");
+  const double parallel = static_cast<double>(share.at_once) * share.threads;
+  fmt::print("forecast at most {:.2g} min\n", seconds / parallel / 60.0);
+  std::fflush(stdout);
+}
+
+void print_results(const study::Results& results, const fs::path& folder) {
+  std::map<std::string, std::size_t> count;
+  for (const study::Row& row : results.rows) ++count[row.status];
+  for (const study::Row& row : results.rows)
+    if (row.status == "failed") fmt::print("failed   {}: {}\n", row.name, row.reason);
+  for (const std::string& warning : results.warnings) fmt::print("warning  {}\n", warning);
+  fmt::print("runs     {} completed, {} failed, {} missing\n", count["completed"], count["failed"],
+             count["missing"]);
+  fmt::print("table    {}\n", (folder / "study.csv").string());
+  fmt::print("report   {}\n", (folder / "report.html").string());
+}
+
+int status_of(const study::Results& results, const fs::path& folder) {
+  const auto is = [&](const char* status) {
+    return std::any_of(results.rows.begin(), results.rows.end(),
+                       [&](const study::Row& row) { return row.status == status; });
+  };
+  if (is("failed")) return failed;
+  if (!is("missing")) return done;
+  fmt::print("interrupted; the same command goes on in {}\n", folder.string());
+  return interrupted;
+}
+
+void carry_out(const std::vector<study::Job>& jobs, const study::Folder& folder,
+               const SweepOptions& options, const Share& share) {
+  SweepProgress progress(jobs, share.at_once * static_cast<std::size_t>(share.threads));
+  const auto show = [&](const study::JobEvent& event) { progress.show(event); };
+  if (options.engine == "slurm")
+    study::run_on_slurm(jobs, folder.root(), share.threads, stop_wanted, show);
+  else
+    study::run_here(jobs, share.at_once, stop_wanted, show);
+}
+
+}  // namespace
+
+int sweep(const SweepOptions& options) {
+  const study::Study study = study::read_study(options.study_file, options.sets);
+  const study::Plan plan = study::make_plan(study);
+  const study::Folder folder(fs::absolute(
+      options.folder.empty() ? fs::path("out") / options.study_file.stem() : options.folder));
+  const Share share = share_of(options);
+  if (options.only_plan) {
+    print_plan(study, plan, folder.jobs(plan, this_program(), share.threads), share);
+    return done;
+  }
+  folder.prepare(study, plan);
+  const auto jobs = folder.jobs(plan, this_program(), share.threads);
+  print_plan(study, plan, jobs, share);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  carry_out(jobs, folder, options, share);
+  const study::Results results = study::collect(study, plan, folder);
+  study::write_tables(study, plan, results, folder.root());
+  study::write_page(study, plan, results, folder);
+  print_results(results, folder.root());
+  return status_of(results, folder.root());
+}
+
+}  // namespace pmr::cli

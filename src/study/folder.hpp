@@ -1,0 +1,55 @@
+// The folder of a study: which file stands where, what is done, what is left to do.
+//   study.toml           the study as last asked for
+//   cases/NAME.toml      the whole case of each run, ready for `pmr run`
+//   mixings/HASH, runs/NAME   run folders
+//   logs/NAME.log        what each job said
+//   study.csv, study.h5, report.html
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/plan.hpp"
+
+namespace pmr::study {
+
+// One process to run.
+struct Job {
+  std::string name;                  // of a run, or "mixing HASH"
+  std::vector<std::string> command;  // words; the first is the program
+  std::filesystem::path folder, log;
+  std::optional<std::size_t> after;  // job that has to end well before
+  double seconds = 0.0;              // [s] forecast on one core
+};
+
+class Folder {
+ public:
+  explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
+
+  // Makes the folders, writes study and cases. A run whose case is another now than when it was
+  // run goes. CaseError when the folder holds something else.
+  void prepare(const Study& study, const Plan& plan) const;
+
+  // What is not completed yet, each mixing right before the first run that waits for it; begun runs
+  // go on from their checkpoint. `program` is pmr, each job on `threads`.
+  std::vector<Job> jobs(const Plan& plan, const std::string& program, int threads) const;
+
+  const std::filesystem::path& root() const { return root_; }
+  std::filesystem::path run(const PlannedRun& r) const { return root_ / "runs" / r.name; }
+  std::filesystem::path mixing(const Mixing& m) const { return root_ / "mixings" / m.name; }
+
+ private:
+  std::filesystem::path case_file(const std::string& name) const {
+    return root_ / "cases" / (name + ".toml");
+  }
+  Job job(const std::string& name, const std::filesystem::path& folder,
+          std::vector<std::string> fresh, const std::string& program, int threads) const;
+
+  std::filesystem::path root_;
+};
+
+// "completed", "stopped", "failed", or "" where no summary stands.
+std::string status_of(const std::filesystem::path& run_folder);
+
+}  // namespace pmr::study

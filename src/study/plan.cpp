@@ -1,0 +1,217 @@
+#include "study/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "case/case.hpp"
+#include "pmr/base/errors.hpp"
+#include "pmr/base/hash.hpp"
+#include "sim/forecast.hpp"
+#include "sim/schedule.hpp"
+#include "statistics/design.hpp"
+#include "study/settings.hpp"
+
+namespace pmr::study {
+namespace {
+
+using Points = std::vector<std::vector<double>>;
+
+std::vector<double> values_of(const Variable& v) {
+  if (v.levels.empty()) return v.values;
+  std::vector<double> places;
+  for (std::size_t k = 0; k < v.levels.size(); ++k) places.push_back(static_cast<double>(k));
+  return places;
+}
+
+// All combinations; the first variable changes slowest.
+Points grid_points(const Study& study) {
+  Points points{{}};
+  for (const Variable& v : study.variables) {
+    Points longer;
+    for (const auto& point : points)
+      for (const double value : values_of(v)) {
+        longer.push_back(point);
+        longer.back().push_back(value);
+      }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+const Level& level_of(const Variable& v, double value) {
+  return v.levels.at(static_cast<std::size_t>(value));
+}
+
+// key = value with its unit, as `--set` takes it.
+std::string key_setting(const Variable& v, double value) {
+  return v.unit.empty() ? fmt::format("{}={}", v.key, value)
+                        : fmt::format("{}=\"{} {}\"", v.key, value, v.unit);
+}
+
+// Adds what is derived from what is known, whichever way round it was written.
+void derive(const Study& study, Values& known) {
+  auto left = study.derived;
+  while (!left.empty()) {
+    const std::size_t before = left.size();
+    std::string problem;
+    std::erase_if(left, [&](const auto& entry) {
+      try {
+        known[entry.first] = evaluated(entry.second, known);
+        return true;
+      } catch (const std::invalid_argument& error) {
+        problem = "derived." + entry.first + ": " + error.what();
+        return false;
+      }
+    });
+    if (left.size() == before) throw std::invalid_argument(problem);
+  }
+}
+
+// Constants, variables, and what is derived from them.
+Values known_at(const Study& study, const PlannedRun& run) {
+  Values known = study.constants;
+  for (std::size_t k = 0; k < study.variables.size(); ++k)
+    known[study.variables[k].name] = run.values[k];
+  derive(study, known);
+  return known;
+}
+
+// In the order in which the later wins: the study's, the variables', the command line's, the seed.
+std::vector<std::string> settings_of(const Study& study, const PlannedRun& run) {
+  const Values known = known_at(study, run);
+  std::vector<std::string> settings;
+  for (const Setting& setting : study.settings) settings.push_back(filled(setting, known));
+  for (std::size_t k = 0; k < study.variables.size(); ++k) {
+    const Variable& v = study.variables[k];
+    if (!v.key.empty()) settings.push_back(key_setting(v, run.values[k]));
+    if (v.levels.empty()) continue;
+    for (const Setting& setting : level_of(v, run.values[k]).settings)
+      settings.push_back(filled(setting, known));
+  }
+  for (const std::string& set : study.sets) settings.push_back(filled(set, known));
+  if (run.replicate) settings.push_back(fmt::format("seed={}", *run.replicate));
+  return settings;
+}
+
+std::string safe(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' ||
+                       c == '=' || c == '_';
+    if (plain)
+      out += c;
+    else if (out.empty() || out.back() != '-')
+      out += '-';
+  }
+  return out;
+}
+
+constexpr std::size_t longest_name = 80;
+
+// "ratio=2.seed=3"; of many variables the hash of that.
+std::string name_of(const Study& study, const PlannedRun& run) {
+  std::string name;
+  for (std::size_t k = 0; k < study.variables.size(); ++k)
+    name += (k == 0 ? "" : "_") + study.variables[k].name + "=" +
+            safe(value_text(study.variables[k], run.values[k]));
+  if (name.size() > longest_name) {
+    Hash hash;
+    hash.add(std::string_view(name));
+    name = fmt::format("{:016x}", hash.value());
+  }
+  if (run.replicate) name += fmt::format("_seed={}", *run.replicate);
+  return name;
+}
+
+// Of all that decides where the particles go.
+std::string mechanical_hash(const Case& c) {
+  Hash hash;
+  hash.add(std::string_view(casefile::mechanical_text(c.text)));
+  for (const Species& s : c.species) {
+    hash.add(s.count);
+    hash.add(s.diameter);
+    hash.add(std::span<const double>(s.diameters));
+    hash.add(c.materials.list[s.material].density);
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+// A run whose particles move and then react can take them from a mixing.
+bool is_shareable(const Case& c) {
+  return c.bed.empty() && c.react && sim::has_heat(c) && (c.fill || c.mix);
+}
+
+std::size_t mixing_of(const Case& c, Plan& plan) {
+  const std::string name = mechanical_hash(c);
+  for (std::size_t k = 0; k < plan.mixings.size(); ++k)
+    if (plan.mixings[k].name == name) return k;
+  plan.mixings.push_back({name, c.text, sim::forecast(c).moving});
+  return plan.mixings.size() - 1;
+}
+
+void read_case(const Study& study, PlannedRun& run, Plan& plan) {
+  const Case c = casefile::load_case(study.case_file, settings_of(study, run));
+  run.case_text = c.text;
+  run.seconds = sim::forecast(c).reacting;
+  if (is_shareable(c))
+    run.mixing = mixing_of(c, plan);
+  else
+    run.seconds += sim::forecast(c).moving;
+}
+
+void check_names(const Study& study, const Plan& plan) {
+  std::map<std::string, int> seen;
+  for (const PlannedRun& run : plan.runs)
+    if (++seen[run.name] == 2)
+      throw CaseError({{study.file.string(), "variables",
+                        fmt::format("the point {} stands twice in the design", run.name)}});
+}
+
+}  // namespace
+
+std::string value_text(const Variable& v, double value) {
+  if (!v.levels.empty()) return level_of(v, value).name;
+  return v.unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, v.unit);
+}
+
+Points design_points(const Study& study) {
+  if (study.design.kind == DesignKind::grid) return grid_points(study);
+  std::vector<statistics::Span> spans;
+  for (const Variable& v : study.variables) spans.push_back({v.low, v.high, v.is_logarithmic});
+  const auto sequence = study.design.kind == DesignKind::sobol
+                            ? statistics::Sequence::sobol
+                            : statistics::Sequence::latin_hypercube;
+  return statistics::sample(sequence, spans, study.design.samples, study.design.seed);
+}
+
+Plan make_plan(const Study& study) {
+  Plan plan;
+  std::vector<Fault> faults;  // of the first run that is wrong
+  std::size_t sound = 0;
+  for (const auto& point : design_points(study))
+    for (std::size_t k = 1; k <= study.replicates; ++k) {
+      PlannedRun run;
+      run.values = point;
+      if (study.replicates > 1) run.replicate = k;
+      run.name = name_of(study, run);
+      try {
+        read_case(study, run, plan);
+        ++sound;
+      } catch (const CaseError& error) {
+        run.fault = error.what();
+        if (faults.empty()) faults = error.faults();
+      } catch (const std::invalid_argument& error) {
+        run.fault = error.what();
+        if (faults.empty()) faults = {{study.file.string(), "settings", error.what()}};
+      }
+      plan.runs.push_back(std::move(run));
+    }
+  if (sound == 0) throw CaseError(std::move(faults));
+  check_names(study, plan);
+  return plan;
+}
+
+}  // namespace pmr::study

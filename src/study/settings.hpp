@@ -1,0 +1,21 @@
+// Settings with expressions in them.
+#pragma once
+#include <map>
+#include <string>
+
+#include "study/study.hpp"
+
+namespace pmr::study {
+
+using Values = std::map<std::string, double>;  // of constants, variables and what follows from them
+
+// Value of an expression; std::invalid_argument, with one line, where there is none.
+double evaluated(const std::string& formula, const Values& values);
+
+// The text with each ${expression} replaced by its value, all digits written.
+std::string filled(const std::string& text, const Values& values);
+
+// "key=VALUE" as `--set` takes it, with its expressions evaluated.
+std::string filled(const Setting& setting, const Values& values);
+
+}  // namespace pmr::study
