@@ -1,14 +1,58 @@
 #include "study/page.hpp"
 
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 
 #include "io/atomic_file.hpp"
 #include "study/page_parts.hpp"
 
 namespace pmr::study {
 
+namespace {
+
+// Lowest and highest value of a variable in the plan.
+std::pair<double, double> ends_of(const Findings& f, std::size_t v) {
+  double low = f.plan.runs.front().values[v], high = low;
+  for (const PlannedRun& run : f.plan.runs) {
+    low = std::min(low, run.values[v]);
+    high = std::max(high, run.values[v]);
+  }
+  return {low, high};
+}
+
+}  // namespace
+
+std::string unit_shown(const std::string& unit) { return unit == "degC" ? "°C" : unit; }
+
 std::string axis_title(const std::string& label, const std::string& unit) {
-  return unit.empty() ? label : label + " [" + unit + "]";
+  return unit.empty() ? label : label + " [" + unit_shown(unit) + "]";
+}
+
+bool is_on_log_axis(const Findings& f, std::size_t v) {
+  const auto [low, high] = ends_of(f, v);
+  return low > 0.0 && high > 20.0 * low;
+}
+
+std::vector<double> abscissae(const Findings& f, std::size_t v, std::size_t count) {
+  const auto [low, high] = ends_of(f, v);
+  const bool is_logarithmic = is_on_log_axis(f, v);
+  std::vector<double> xs;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double part = static_cast<double>(k) / static_cast<double>(count - 1);
+    xs.push_back(is_logarithmic ? low * std::pow(high / low, part) : low + part * (high - low));
+  }
+  return xs;
+}
+
+const Fit* fit_of(const Findings& f, std::size_t response, std::size_t group) {
+  for (const Fit& fit : f.fits)
+    if (fit.response == response && fit.group == group) return &fit;
+  return nullptr;
+}
+
+bool has_values(const Findings& f, std::size_t response) {
+  return std::any_of(f.results.rows.begin(), f.results.rows.end(),
+                     [&](const Row& row) { return std::isfinite(row.responses[response]); });
 }
 
 std::string run_link(const Findings& f, std::size_t row) {
@@ -19,9 +63,11 @@ std::string run_link(const Findings& f, std::size_t row) {
 std::string run_title(const Findings& f, std::size_t row) {
   const PlannedRun& run = f.plan.runs[row];
   std::string title;
-  for (std::size_t v = 0; v < f.study.variables.size(); ++v)
-    title += (v == 0 ? "" : ", ") + f.study.variables[v].label + " " +
-             value_text(f.study.variables[v], run.values[v]);
+  for (std::size_t v = 0; v < f.study.variables.size(); ++v) {
+    Variable shown = f.study.variables[v];
+    shown.unit = unit_shown(shown.unit);
+    title += (v == 0 ? "" : ", ") + shown.label + " " + value_text(shown, run.values[v]);
+  }
   if (run.replicate) title += ", seed " + std::to_string(*run.replicate);
   return title;
 }

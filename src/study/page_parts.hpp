@@ -17,6 +17,7 @@ struct Findings {
 };
 
 report::Section answer_part(const Findings& f);
+std::string trends(const Findings& f);  // what each response does over the one variable
 report::Section response_part(const Findings& f, report::Charts& charts);  // over the variables
 report::Section trust_part(const Findings& f);                             // of the surrogates
 report::Section ranking_part(const Findings& f, report::Charts& charts);   // sampled designs
@@ -24,6 +25,13 @@ report::Section trade_off_part(const Findings& f, report::Charts& charts);
 report::Section picture_part(const Findings& f);  // beds at the extremes
 report::Section runs_part(const Findings& f);     // every run, linked
 report::Section reproduction_part(const Findings& f);
+
+// Values of a numeric variable from end to end of the plan, even on its axis.
+std::vector<double> abscissae(const Findings& f, std::size_t v, std::size_t count);
+bool is_on_log_axis(const Findings& f, std::size_t v);  // where its values span decades
+const Fit* fit_of(const Findings& f, std::size_t response, std::size_t group);
+bool has_values(const Findings& f, std::size_t response);
+std::string unit_shown(const std::string& unit);  // "°C" for "degC"
 
 std::string axis_title(const std::string& label, const std::string& unit);  // "label [unit]"
 std::string run_link(const Findings& f, std::size_t row);   // "runs/NAME/report.html", "" if absent

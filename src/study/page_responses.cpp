@@ -22,18 +22,13 @@ Value axis_of_variable(const Findings& f, std::size_t v) {
   const Variable& variable = f.study.variables[v];
   Value axis;
   axis.set("label", variable.label);
-  axis.set("unit", variable.unit);
+  axis.set("unit", unit_shown(variable.unit));
   if (!variable.levels.empty()) {
     Value::Array names;
     for (const Level& level : variable.levels) names.emplace_back(level.name);
     axis.set("levels", std::move(names));
   }
-  double low = 1e300, high = 0.0;
-  for (const PlannedRun& run : f.plan.runs) {
-    low = std::min(low, run.values[v]);
-    high = std::max(high, run.values[v]);
-  }
-  if (low > 0.0 && high > 20.0 * low) axis.set("scale", "log");
+  if (is_on_log_axis(f, v)) axis.set("scale", "log");
   return axis;
 }
 
@@ -53,30 +48,9 @@ Value point_of(const Findings& f, std::size_t row, double x, double y) {
   return point;
 }
 
-const Fit* fit_of(const Findings& f, std::size_t response, std::size_t group) {
-  for (const Fit& fit : f.fits)
-    if (fit.response == response && fit.group == group) return &fit;
-  return nullptr;
-}
-
-// Values of the variable between the ends of the plan, even on its axis.
-std::vector<double> abscissae(const Findings& f, std::size_t v, bool is_logarithmic) {
-  double low = 1e300, high = -1e300;
-  for (const PlannedRun& run : f.plan.runs) {
-    low = std::min(low, run.values[v]);
-    high = std::max(high, run.values[v]);
-  }
-  std::vector<double> xs;
-  for (std::size_t k = 0; k < curve_points; ++k) {
-    const double part = static_cast<double>(k) / (curve_points - 1);
-    xs.push_back(is_logarithmic ? low * std::pow(high / low, part) : low + part * (high - low));
-  }
-  return xs;
-}
-
 // The surrogate with its band of two deviations; over several variables its mean over the others.
-Value curve_of(const Findings& f, const Fit& fit, std::size_t place, bool is_logarithmic) {
-  const auto xs = abscissae(f, f.numeric[place], is_logarithmic);
+Value curve_of(const Findings& f, const Fit& fit, std::size_t place) {
+  const auto xs = abscissae(f, f.numeric[place], curve_points);
   std::vector<double> y, low, high;
   for (const double x : xs) {
     const auto at = fit.surrogate.main_effect(place, x);
@@ -93,10 +67,12 @@ Value curve_of(const Findings& f, const Fit& fit, std::size_t place, bool is_log
 }
 
 std::string chart(const Findings& f, report::Charts& charts, std::size_t r, std::size_t place) {
+  if (!has_values(f, r))
+    return place == 0 ? report::absent(f.study.responses[r].label + ": no run has this figure.")
+                      : "";
   const std::size_t v = f.numeric[place];
   const Response& response = f.study.responses[r];
   const Value axis = axis_of_variable(f, v);
-  const bool is_logarithmic = axis.text("scale") == "log";
   Value::Array series;
   for (std::size_t g = 0; g < f.groups.size(); ++g) {
     Value one;
@@ -109,7 +85,7 @@ std::string chart(const Findings& f, report::Charts& charts, std::size_t r, std:
     one.set("points", std::move(points));
     const Fit* fit = fit_of(f, r, g);
     if (fit != nullptr && fit->surrogate.basis().why_constant.empty())
-      one.set("curve", curve_of(f, *fit, place, is_logarithmic));
+      one.set("curve", curve_of(f, *fit, place));
     series.push_back(std::move(one));
   }
   Value spec;
@@ -232,7 +208,7 @@ report::Section trust_part(const Findings& f) {
               element("div",
                       report::table({"response", "points", "replicates differ by", "Q²",
                                      "error left out", "error² / deviation²", "verdict"},
-                                    rows, "class=\"numbers compare\""),
+                                    rows, "class=\"numbers compare trust\""),
                       "class=\"scroll\"") +
               effects_table(f)};
 }

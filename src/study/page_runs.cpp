@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -56,27 +57,44 @@ std::string extremes_table(const Findings& f) {
                  "class=\"scroll\"");
 }
 
-// Warnings of the runs, each once, with how many runs gave it.
+// A warning without the share of particles that it begins with, and that share [%].
+std::pair<std::string, double> split_share(const std::string& warning) {
+  const std::string mark = " % of ";
+  const std::size_t at = warning.find(mark);
+  char* end = nullptr;
+  const double share = std::strtod(warning.c_str(), &end);
+  if (at == std::string::npos || end != warning.c_str() + at) return {warning, std::nan("")};
+  return {warning.substr(at + mark.size()), share};
+}
+
+struct Warned {
+  std::string text;
+  std::size_t runs = 0;
+  double share = std::nan("");  // [%] the largest
+};
+
+std::string warning_item(const Warned& w) {
+  const std::string share =
+      std::isfinite(w.share) ? fmt::format("Up to {:.3g} % of ", w.share) : "";
+  return element(
+      "li", share + escape(w.text) + fmt::format(" ({} run{})", w.runs, w.runs == 1 ? "" : "s"));
+}
+
+// Warnings of the study, and those of the runs, each once.
 std::string warnings_of(const Findings& f) {
-  std::vector<std::pair<std::string, std::size_t>> all;
+  std::vector<Warned> all;
   for (const Row& row : f.results.rows)
     for (const std::string& warning : row.warnings) {
-      const auto known = std::find_if(all.begin(), all.end(),
-                                      [&](const auto& entry) { return entry.first == warning; });
-      if (known == all.end())
-        all.emplace_back(warning, 1);
-      else
-        ++known->second;
+      const auto [text, share] = split_share(warning);
+      auto known = all.begin();
+      while (known != all.end() && known->text != text) ++known;
+      if (known == all.end()) known = all.insert(all.end(), {text});
+      ++known->runs;
+      if (!(known->share >= share)) known->share = share;
     }
   std::string items;
   for (const std::string& warning : f.results.warnings) items += element("li", escape(warning));
-  constexpr std::size_t most = 8;
-  for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
-    items += element("li", fmt::format("{} ({} run{})", escape(all[k].first), all[k].second,
-                                       all[k].second == 1 ? "" : "s"));
-  if (all.size() > most)
-    items +=
-        element("li", fmt::format("and {} more, in the reports of the runs", all.size() - most));
+  for (const Warned& warned : all) items += warning_item(warned);
   return items.empty() ? "" : element("ul", items, "class=\"warnings\"");
 }
 
@@ -104,7 +122,7 @@ report::Section answer_part(const Findings& f) {
                           missing > 0 ? fmt::format(", {} are still to come", missing) : "",
                           f.plan.mixings.size(), f.plan.mixings.size() == 1 ? "" : "s"),
               "class=\"answer\"");
-  return {"answer", "Answer", html + extremes_table(f) + warnings_of(f)};
+  return {"answer", "Answer", html + trends(f) + extremes_table(f) + warnings_of(f)};
 }
 
 report::Section trade_off_part(const Findings& f, report::Charts& charts) {
