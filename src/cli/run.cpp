@@ -1,8 +1,6 @@
 // pmr run, pmr resume.
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <fstream>
 #include <system_error>
 
@@ -12,6 +10,7 @@
 #include "cli/machine.hpp"
 #include "cli/progress.hpp"
 #include "cli/start.hpp"
+#include "cli/stop_signal.hpp"
 #include "cli/verbs.hpp"
 #include "io/run_file.hpp"
 #include "pmr/base/errors.hpp"
@@ -21,14 +20,6 @@ namespace pmr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stop_wanted{false};
-
-// The first Ctrl-C asks for a checkpoint, the second ends the process.
-void on_signal(int signal) {
-  stop_wanted = true;
-  std::signal(signal, SIG_DFL);
-}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& problem) {
   throw CaseError({{folder.string(), "", problem}});
@@ -55,12 +46,10 @@ void prepare_folder(const fs::path& folder) {
 }
 
 int carry_out(sim::Simulation& simulation, const RunRecord& record) {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
   Progress progress;
   try {
     const sim::Ending ending =
-        simulation.run(stop_wanted, [&](const sim::Simulation& now) { progress.show(now); });
+        simulation.run(stop_on_signals(), [&](const sim::Simulation& now) { progress.show(now); });
     progress.finish();
     return finish_run(simulation, record, ending);
   } catch (const NumericsError& error) {

@@ -3,12 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <map>
 #include <thread>
 
 #include "cli/console.hpp"
+#include "cli/stop_signal.hpp"
 #include "cli/sweep_progress.hpp"
 #include "cli/verbs.hpp"
 #include "pmr/base/errors.hpp"
@@ -20,14 +19,6 @@ namespace pmr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> stop_wanted{false};
-
-// The first Ctrl-C asks every run for a checkpoint, the second ends the process.
-void on_signal(int signal) {
-  stop_wanted = true;
-  std::signal(signal, SIG_DFL);
-}
 
 std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
@@ -53,15 +44,17 @@ void print_plan(const study::Study& study, const study::Plan& plan,
     runs_left += job.name.rfind("mixing ", 0) == 0 ? 0 : 1;
   }
   fmt::print("{}\n", study.title);
-  fmt::print("design   {} runs ({} points, {} of each), {} mixings shared by them\n",
+  fmt::print("design   {} runs ({} points, {} of each), {} mixing{} shared by them\n",
              plan.runs.size(), plan.runs.size() / study.replicates, study.replicates,
-             plan.mixings.size());
+             plan.mixings.size(), plan.mixings.size() == 1 ? "" : "s");
   if (faulty > 0) fmt::print("wrong    {} runs whose case cannot be made; see the table\n", faulty);
   fmt::print("to do    {} mixings and {} runs, {} at once, {} thread{} each\n",
              jobs.size() - runs_left, runs_left, share.at_once, share.threads,
              share.threads == 1 ? "" : "s");
   const double parallel = static_cast<double>(share.at_once) * share.threads;
-  fmt::print("forecast at most {:.2g} min\n", seconds / parallel / 60.0);
+  const double hours = seconds / parallel / 3600.0;
+  fmt::print("forecast at most {}\n",
+             hours < 2.0 ? fmt::format("{:.0f} min", 60.0 * hours) : fmt::format("{:.1f} h", hours));
   std::fflush(stdout);
 }
 
@@ -90,12 +83,13 @@ int status_of(const study::Results& results, const fs::path& folder) {
 
 void carry_out(const std::vector<study::Job>& jobs, const study::Folder& folder,
                const SweepOptions& options, const Share& share) {
+  const std::atomic<bool>& stop = stop_on_signals();
   SweepProgress progress(jobs, share.at_once * static_cast<std::size_t>(share.threads));
   const auto show = [&](const study::JobEvent& event) { progress.show(event); };
   if (options.engine == "slurm")
-    study::run_on_slurm(jobs, folder.root(), share.threads, stop_wanted, show);
+    study::run_on_slurm(jobs, folder.root(), share.threads, stop, show);
   else
-    study::run_here(jobs, share.at_once, stop_wanted, show);
+    study::run_here(jobs, share.at_once, stop, show);
 }
 
 }  // namespace
@@ -113,8 +107,6 @@ int sweep(const SweepOptions& options) {
   folder.prepare(study, plan);
   const auto jobs = folder.jobs(plan, this_program(), share.threads);
   print_plan(study, plan, jobs, share);
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
   carry_out(jobs, folder, options, share);
   const study::Results results = study::collect(study, plan, folder);
   study::write_tables(study, plan, results, folder.root());

@@ -61,6 +61,11 @@ void Replacement::commit() {
   if (folder.is_open()) static_cast<void>(folder.sync());
 }
 
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 void replace_text(const std::filesystem::path& target, std::string_view text) {
   Replacement replacement(target);
   {

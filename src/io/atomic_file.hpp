@@ -1,6 +1,7 @@
 // A file that appears whole or not at all: written beside its target, made durable, renamed.
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace pmr::io {
@@ -22,6 +23,9 @@ class Replacement {
   std::filesystem::path target_, temporary_;
   bool committed_ = false;
 };
+
+// A whole file as it is; empty where there is none.
+std::string read_text(const std::filesystem::path& file);
 
 // A whole text file, replaced atomically.
 void replace_text(const std::filesystem::path& target, std::string_view text);

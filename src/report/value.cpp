@@ -1,6 +1,7 @@
 #include "report/value.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 
 #include "report/text.hpp"
@@ -8,7 +9,16 @@
 namespace pmr::report {
 namespace {
 
+// Item of an array at a place written in digits.
+const Value* item(const Value::Array& items, std::string_view place) {
+  std::size_t k = 0;
+  const auto [end, error] = std::from_chars(place.data(), place.data() + place.size(), k);
+  const bool is_place = error == std::errc() && end == place.data() + place.size();
+  return is_place && k < items.size() ? &items[k] : nullptr;
+}
+
 const Value* member(const Value& value, std::string_view key) {
+  if (const auto* items = std::get_if<Value::Array>(&value.data)) return item(*items, key);
   const auto* object = std::get_if<Value::Object>(&value.data);
   if (object == nullptr) return nullptr;
   const auto found =

@@ -33,7 +33,8 @@ struct Value {
   Value& operator=(Value&& other) noexcept;
   ~Value();
 
-  // The value at "thermal/temperature_mean/SrFeO3"; null where any part is missing.
+  // The value at "thermal/temperature_mean/SrFeO3" or, in an array, "homogeneity/layers/0/mass";
+  // null where any part is missing.
   const Value* find(std::string_view path) const;
   bool has(std::string_view path) const { return find(path) != nullptr; }
   double number(std::string_view path) const;          // NaN where absent or not a number

@@ -1,7 +1,5 @@
 #include "study/folder.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <system_error>
 
@@ -14,11 +12,6 @@ namespace pmr::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& problem) {
   throw CaseError({{folder.string(), "", problem}});
@@ -35,7 +28,7 @@ void check_place(const fs::path& root) {
 // Writes the case; whether another one stood there.
 bool replaces(const fs::path& file, const std::string& text) {
   const bool stands = fs::exists(file);
-  if (stands && text_of(file) == text) return false;
+  if (stands && io::read_text(file) == text) return false;
   io::replace_text(file, text);
   return stands;
 }
@@ -46,7 +39,7 @@ std::string status_of(const fs::path& run_folder) {
   const fs::path file = run_folder / "summary.json";
   if (!fs::exists(file)) return "";
   try {
-    return report::parse_json(text_of(file)).text("status");
+    return report::parse_json(io::read_text(file)).text("status");
   } catch (const CaseError&) {
     return "";  // torn by a kill: the run is taken up again
   }

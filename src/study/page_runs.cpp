@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
+#include "io/atomic_file.hpp"
 #include "report/colour_map.hpp"
 #include "report/compare.hpp"
 #include "report/text.hpp"
@@ -102,11 +101,6 @@ std::size_t count_of(const Results& results, const char* status) {
   return static_cast<std::size_t>(
       std::count_if(results.rows.begin(), results.rows.end(),
                     [&](const Row& row) { return row.status == status; }));
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -219,11 +213,12 @@ report::Section runs_part(const Findings& f) {
 }
 
 report::Section reproduction_part(const Findings& f) {
-  return {"reproduction", "Reproduction",
-          element("p",
-                  "The study’s file as it was run, in this folder as study.toml; the whole "
-                  "case of each run stands in cases/, its own report in runs/.") +
-              element("pre", escape(text_of(f.folder.root() / "study.toml")), "class=\"case\"")};
+  return {
+      "reproduction", "Reproduction",
+      element("p",
+              "The study’s file as it was run, in this folder as study.toml; the whole "
+              "case of each run stands in cases/, its own report in runs/.") +
+          element("pre", escape(io::read_text(f.folder.root() / "study.toml")), "class=\"case\"")};
 }
 
 }  // namespace pmr::study

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "case/nearest.hpp"
+#include "io/atomic_file.hpp"
 #include "report/value.hpp"
 #include "study/engine.hpp"
 
@@ -19,8 +18,7 @@ namespace fs = std::filesystem;
 using report::Value;
 
 Value summary_of(const fs::path& run) {
-  std::ifstream in(run / "summary.json", std::ios::binary);
-  return report::parse_json({std::istreambuf_iterator<char>(in), {}});
+  return report::parse_json(io::read_text(run / "summary.json"));
 }
 
 // Every number of a summary by its path.
@@ -28,7 +26,10 @@ void add_keys(const Value& value, const std::string& path, std::vector<std::stri
   if (const auto* members = std::get_if<Value::Object>(&value.data)) {
     for (const report::Member& m : *members)
       add_keys(m.value, path.empty() ? m.key : path + "/" + m.key, keys);
-  } else if (!std::holds_alternative<Value::Array>(value.data)) {
+  } else if (const auto* items = std::get_if<Value::Array>(&value.data)) {
+    for (std::size_t k = 0; k < items->size(); ++k)
+      add_keys((*items)[k], path + "/" + std::to_string(k), keys);
+  } else {
     keys.push_back(path);
   }
 }
