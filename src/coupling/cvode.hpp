@@ -26,11 +26,13 @@ struct OdeProblem {
   std::function<void(In y, Out weight)> weigh;    // 1/tolerance of each unknown
   std::function<double(double t, In y)> event;    // empty: none; its first zero is told
   std::size_t quadratures = 0;                    // [1] length of q
+  // Unknowns from here on are solved for more strictly, for the books' sake.
+  std::size_t strict_from = std::numeric_limits<std::size_t>::max();
 };
 
 struct OdeResult {
   std::vector<double> quadrature;                             // [unit of q] integral over [t0, t1]
-  double last_step = 0.0;                                     // [s]
+  double next_step = 0.0;                                     // [s] to begin with where this ends
   double event_at = std::numeric_limits<double>::infinity();  // [s]
   long steps = 0, rate_calls = 0, newton = 0, krylov = 0;
 };

@@ -145,7 +145,7 @@ struct State {
   double settled_at = std::numeric_limits<double>::infinity();    // [s] start of the react phase
   double set_point_at = std::numeric_limits<double>::infinity();  // [s] pressure first at set-point
   double elastic_energy = 0.0;  // [J] of the Hertz springs of all contacts
-  double network_step = 0.0;    // [s] CVODE's last step, tried first in the next interval
+  double network_step = 0.0;    // [s] CVODES tries this first in the next interval
   Particles particles;
   Particles waiting;  // still to be poured in, by id: the order of their entry
   ContactHistory pair_contacts;
