@@ -54,8 +54,13 @@ Constant constant_of(const PowerRate& law, const Redox& redox, bool reduces, con
   return {part * value, part * by_T + value * effectiveness_slope(phi) * stretch};
 }
 
+double bond_of(const RedoxEquilibrium& eq, const RateState& at) {
+  return std::isnan(at.bond) ? reduction_enthalpy(eq, at.delta) : at.bond;
+}
+
 double rate(const PowerRate& law, const Redox& redox, const RateState& at) {
-  const double p_eq = equilibrium_pressure(redox.equilibrium, at.temperature, at.delta);
+  const RedoxEquilibrium& eq = redox.equilibrium;
+  const double p_eq = equilibrium_pressure(eq, at.temperature, at.delta, bond_of(eq, at));
   const double drive =
       power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
   return constant_of(law, redox, !(drive < 0.0), at).value * drive;
@@ -64,13 +69,14 @@ double rate(const PowerRate& law, const Redox& redox, const RateState& at) {
 RateSlopes slopes(const PowerRate& law, const Redox& redox, const RateState& at) {
   const RedoxEquilibrium& eq = redox.equilibrium;
   const double T = at.temperature;
-  const double p_eq = equilibrium_pressure(eq, T, at.delta);
+  const double bond = bond_of(eq, at);
+  const double p_eq = equilibrium_pressure(eq, T, at.delta, bond);
   const Power inside = power(p_eq, law.exponent), outside = power(at.oxygen_pressure, law.exponent);
   const double drive = inside.value - outside.value;
   const Constant k = constant_of(law, redox, !(drive < 0.0), at);
   const double by_ln_p = k.value * inside.slope * p_eq;  // d r / d ln p_eq
   return {k.value * drive, by_ln_p * ln_pressure_delta_slope(eq, T, at.delta),
-          k.by_T * drive + by_ln_p * ln_pressure_temperature_slope(eq, T, at.delta),
+          k.by_T * drive + by_ln_p * ln_pressure_temperature_slope_with(eq, T, bond),
           -k.value * outside.slope};
 }
 

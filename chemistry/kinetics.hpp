@@ -6,6 +6,8 @@
 // RelaxationRate (K2): r = c/2 (delta_eq(T, pO2) - delta)/tau(T), c the formula units per volume.
 // A new law is a struct in RateLaw, an overload in kinetics.cpp and a line in the case reader.
 #pragma once
+#include <limits>
+
 #include "pmr/state/materials.hpp"
 
 namespace pmr::chemistry {
@@ -17,6 +19,8 @@ struct RateState {
   double oxygen_pressure;      // [Pa] of the gas around
   double concentration = 0.0;  // [mol/m3] formula units per volume of particle; for K2
   double radius = 0.0;         // [m] of the particle; for pores, 0: they count for nothing
+  // [J/mol O] dh(delta) where it is known already
+  double bond = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Rate and slopes, for the preconditioner.

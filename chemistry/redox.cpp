@@ -68,6 +68,10 @@ double ln_equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delt
   return (2.0 / R) * (reduction_entropy(eq, T, delta) - reduction_enthalpy(eq, delta) / T);
 }
 
+double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta, double dh) {
+  return bar * std::exp((2.0 / R) * (reduction_entropy(eq, T, delta) - dh / T));
+}
+
 double ln_pressure_delta_slope(const RedoxEquilibrium& eq, double T, double delta) {
   const double entropy_slope =
       -2.0 * eq.configuration * R * eq.delta_limit / (delta * (eq.delta_limit - delta));
@@ -75,8 +79,12 @@ double ln_pressure_delta_slope(const RedoxEquilibrium& eq, double T, double delt
 }
 
 double ln_pressure_temperature_slope(const RedoxEquilibrium& eq, double T, double delta) {
+  return ln_pressure_temperature_slope_with(eq, T, reduction_enthalpy(eq, delta));
+}
+
+double ln_pressure_temperature_slope_with(const RedoxEquilibrium& eq, double T, double dh) {
   const double entropy_slope = eq.oxygen_entropy ? 0.0 : 0.5 * oxygen_heat(T).heat_capacity / T;
-  return (2.0 / R) * (reduction_enthalpy(eq, delta) / (T * T) + entropy_slope);
+  return (2.0 / R) * (dh / (T * T) + entropy_slope);
 }
 
 double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) {
@@ -102,11 +110,14 @@ double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) 
   return std::min(equation.delta(x), std::nextafter(eq.delta_limit, 0.0));
 }
 
-double reduction_heat(const RedoxEquilibrium& eq, double delta) {
+double reduction_heat(const RedoxEquilibrium& eq, double delta) { return bond_at(eq, delta).heat; }
+
+Bond bond_at(const RedoxEquilibrium& eq, double delta) {
   // Integral of atan(u) over delta is F(u)/s with F = u atan(u) - ln(1 + u^2)/2.
-  const double u = reduced_delta(eq, delta);
-  const double atan_part = (u * std::atan(u) - 0.5 * std::log1p(u * u)) / (pi * eq.steepness);
-  return eq.enthalpy_minimum * delta + enthalpy_span(eq) * (0.5 * delta + atan_part);
+  const double u = reduced_delta(eq, delta), angle = std::atan(u);
+  const double part = (u * angle - 0.5 * std::log1p(u * u)) / (pi * eq.steepness);
+  return {eq.enthalpy_minimum + enthalpy_span(eq) / pi * (angle + 0.5 * pi),
+          eq.enthalpy_minimum * delta + enthalpy_span(eq) * (0.5 * delta + part)};
 }
 
 double molar_mass(const Redox& redox, double delta) {

@@ -26,8 +26,19 @@ double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta);
 // x = ln(delta/(limit - delta)), in which the equation is nearly linear, inside a bracket.
 double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure);
 
+// The above where dh(delta) [J/mol O] is known already.
+double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta, double dh);
+double ln_pressure_temperature_slope_with(const RedoxEquilibrium& eq, double T, double dh);
+
 // H(delta) [J/mol Fe]: exact integral of dh, up to a constant; H(d2) - H(d1) is the heat taken up.
 double reduction_heat(const RedoxEquilibrium& eq, double delta);
+
+// What the bond's strength makes of delta, both from one arc tangent.
+struct Bond {
+  double enthalpy;  // dh [J/mol O]
+  double heat;      // H [J/mol Fe]
+};
+Bond bond_at(const RedoxEquilibrium& eq, double delta);
 
 double molar_mass(const Redox& redox, double delta);  // [kg/mol Fe]
 // Iron per volume of particle [mol/m3]; constant, since volume and iron are.

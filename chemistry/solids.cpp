@@ -88,8 +88,11 @@ double heat_capacity(const Solid& solid, double T, double delta) {
 double enthalpy_delta_slope(const Solid& solid, double T, double delta) {
   const Material& material = *solid.material;
   if (!material.redox) return 0.0;
-  const double heat = reduction_enthalpy(material.redox->equilibrium, delta);
-  return solid.amount * (heat - 0.5 * oxygen_heat(T).enthalpy);
+  return enthalpy_bond_slope(solid, T, reduction_enthalpy(material.redox->equilibrium, delta));
+}
+
+double enthalpy_bond_slope(const Solid& solid, double T, double dh) {
+  return solid.amount * (dh - 0.5 * oxygen_heat(T).enthalpy);
 }
 
 double temperature(const Solid& solid, double energy, double delta, double guess) {
@@ -99,11 +102,17 @@ double temperature(const Solid& solid, double energy, double delta, double guess
     return solve_temperature(
         per_amount, guess, [&](double T) { return inert_heat(material, T); },
         material.name.c_str());
-  const double bound = reduction_heat(material.redox->equilibrium, delta);
+  const double heat = reduction_heat(material.redox->equilibrium, delta);
+  return redox_temperature(solid, energy, delta, heat, guess);
+}
+
+double redox_temperature(const Solid& solid, double energy, double delta, double bond_heat,
+                         double guess) {
+  const Material& material = *solid.material;
   const HeatCurve oxide = oxide_curve(material);
   return solve_temperature(
-      per_amount - bound, guess, [&](double T) { return sensible_heat(oxide, T, delta); },
-      material.name.c_str());
+      energy / solid.amount - bond_heat, guess,
+      [&](double T) { return sensible_heat(oxide, T, delta); }, material.name.c_str());
 }
 
 }  // namespace pmr::chemistry

@@ -31,9 +31,14 @@ struct Solid {
 double enthalpy(const Solid& solid, double T, double delta);              // [J]
 double heat_capacity(const Solid& solid, double T, double delta);         // [J/K] at constant delta
 double enthalpy_delta_slope(const Solid& solid, double T, double delta);  // [J] dE/d(delta) at T
+double enthalpy_bond_slope(const Solid& solid, double T,
+                           double dh);  // the same, dh [J/mol O] known
 // T [K] of a solid that holds `energy` [J]; `guess` [K] saves iterations and does not change the
 // result beyond rounding. NumericsError outside [150, 3000] K.
 double temperature(const Solid& solid, double energy, double delta, double guess);
+// The same of a redox solid whose H(delta) [J/mol Fe] is known.
+double redox_temperature(const Solid& solid, double energy, double delta, double bond_heat,
+                         double guess);
 
 // The solid of a particle: mass [kg] counts if inert, iron [mol] if redox.
 inline Solid solid_of(const Material& material, double mass, double iron) {

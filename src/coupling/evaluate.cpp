@@ -1,6 +1,7 @@
 // The right-hand side of the network: temperatures, heat flows, reaction, gas.
 #include <cmath>
 
+#include "chemistry/redox.hpp"
 #include "coupling/system.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
@@ -31,10 +32,20 @@ void find_film_heat(const System& system, Evaluation& at) {
 }
 
 void find_temperatures(const System& system, std::span<const double> y, Evaluation& at) {
+  at.bond.resize(system.reactants.size());
   parallel_for(system.nodes->solids(), [&](std::size_t id) {
     if (system.stores[id] == 0) return;
-    at.temperature[id] = chemistry::temperature(system.solid[id], y[id], delta_of(system, y, id),
-                                                at.temperature[id]);
+    const chemistry::Solid& solid = system.solid[id];
+    const double delta = delta_of(system, y, id);
+    double& T = at.temperature[id];
+    const std::uint32_t k = system.reactant_of[id];
+    if (k == System::no_reactant) {
+      T = chemistry::temperature(solid, y[id], delta, T);
+      return;
+    }
+    const auto bond = chemistry::bond_at(solid.material->redox->equilibrium, delta);
+    at.bond[k] = bond.enthalpy;
+    T = chemistry::redox_temperature(solid, y[id], delta, bond.heat, T);
   });
   at.wall_temperature.resize(system.nodes->cells);
   for (const WallProfile& wall : system.profiles) {
@@ -49,12 +60,13 @@ void find_temperatures(const System& system, std::span<const double> y, Evaluati
 // Q_i = sum_j w_ij (T_j - T_i) + sum_j G_ij (sigma T_j^4 - sigma T_i^4), gathered row by row.
 void gather_heat(const System& system, Evaluation& at) {
   const std::vector<double>&T = at.temperature, &E = at.emission;
-  const Csr* g = system.exchange;
+  const RoundedRows& g = system.exchange;
+  at.heat.resize(T.size());
   parallel_for(system.conductance.rows(), [&](std::size_t i) {
     at.heat[i] = sum_row(system.conductance, i,
                          [&](std::uint32_t j, double w) { return w * (T[j] - T[i]); });
-    if (g != nullptr && i < g->rows())
-      at.heat[i] += sum_row(*g, i, [&](std::uint32_t j, double G) { return G * (E[j] - E[i]); });
+    if (i < g.rows())
+      at.heat[i] += sum_row(g, i, [&](std::uint32_t j, double G) { return G * (E[j] - E[i]); });
     if (i < system.pores.share.size())
       at.heat[i] += system.pores.share[i] * at.film_heat[system.pores.layer_of[i]];
   });
@@ -75,6 +87,13 @@ bool react(const System& system, std::span<const double> y, Evaluation& at) {
 }  // namespace
 
 bool evaluate(const System& system, double t, std::span<const double> y, Evaluation& at) {
+  if (!evaluate_without_heat(system, t, y, at)) return false;
+  gather_heat(system, at);
+  return true;
+}
+
+bool evaluate_without_heat(const System& system, double t, std::span<const double> y,
+                           Evaluation& at) {
   if (at.temperature.size() != system.nodes->count()) at.temperature = system.held_temperature;
   try {
     find_gas(system, t, y, at);
@@ -83,13 +102,11 @@ bool evaluate(const System& system, double t, std::span<const double> y, Evaluat
     return false;  // no temperature belongs to these energies
   }
   at.emission.resize(at.temperature.size());
-  at.heat.resize(at.temperature.size());
   parallel_for(at.emission.size(), [&](std::size_t i) {
     const double square = at.temperature[i] * at.temperature[i];
     at.emission[i] = stefan_boltzmann * square * square;
   });
   find_film_heat(system, at);
-  gather_heat(system, at);
   return react(system, y, at);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "chemistry/redox.hpp"
+#include "chemistry/gas.hpp"
 #include "pmr/base/parallel.hpp"
 
 namespace pmr::coupling {
@@ -78,7 +78,7 @@ void sort_link(const System& system, const Evaluation& at, std::size_t k, Sorter
 // particle, if it is one with a wall or the surroundings; else above the diagonal.
 void sort_radiation(const System& system, const Evaluation& at, const std::vector<double>& is_redox,
                     std::size_t a, Sorter& sorter) {
-  const Csr& g = *system.exchange;
+  const RoundedRows& g = system.exchange;
   const std::size_t solids = system.nodes->solids();
   const std::vector<double>& E = at.emission;
   const auto columns = g.columns(a);
@@ -99,14 +99,11 @@ void add_walls(const System& system, const Evaluation& at, Fluxes& rates) {
   }
 }
 
-void sort_reaction(const System& system, const Evaluation& at, std::span<const double> y,
-                   std::size_t k, Fluxes& rates) {
+void sort_reaction(const System& system, const Evaluation& at, std::size_t k, Fluxes& rates) {
   const Reactant& grain = system.reactants[k];
-  const auto& equilibrium = system.solid[grain.id].material->redox->equilibrium;
   const double release = at.release[k];
   rates.oxygen_released += release;
-  rates.reaction +=
-      2.0 * release * chemistry::reduction_enthalpy(equilibrium, y[system.delta_begin() + k]);
+  rates.reaction += 2.0 * release * at.bond[k];
   if (system.body_of(grain.id) != System::no_body) return;
   rates.oxygen_to_air += release;
   rates.gas_energy_out += release * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
@@ -126,23 +123,23 @@ void add_gas(const GasRates& gas, Fluxes& rates) {
 
 }  // namespace
 
-Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const double> y) {
+Fluxes flux_rates(const System& system, const Evaluation& at) {
   std::vector<Kind> kind(system.nodes->count());
   parallel_for(kind.size(), [&](std::size_t node) { kind[node] = kind_of(system, node); });
   Fluxes rates = sort_all(system, kind, system.links.size(),
                           [&](std::size_t k, Sorter& sorter) { sort_link(system, at, k, sorter); });
-  if (system.exchange != nullptr) {
+  if (!system.exchange.is_empty()) {
     std::vector<double> is_redox(kind.size());  // [1] as a factor
     parallel_for(kind.size(),
                  [&](std::size_t node) { is_redox[node] = kind[node] == Kind::redox ? 1.0 : 0.0; });
     add_to(rates,
-           sort_all(system, kind, system.exchange->rows(), [&](std::size_t a, Sorter& sorter) {
+           sort_all(system, kind, system.exchange.rows(), [&](std::size_t a, Sorter& sorter) {
              sort_radiation(system, at, is_redox, a, sorter);
            }));
   }
   add_walls(system, at, rates);
   add_to(rates, sort_all(system, kind, system.reactants.size(), [&](std::size_t k, Sorter& sorter) {
-           sort_reaction(system, at, y, k, sorter.rates);
+           sort_reaction(system, at, k, sorter.rates);
          }));
   if (system.bodies() > 0) add_gas(at.gas, rates);
   const Nodes& nodes = *system.nodes;

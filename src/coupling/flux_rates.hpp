@@ -5,6 +5,6 @@
 
 namespace pmr::coupling {
 
-Fluxes flux_rates(const System& system, const Evaluation& at, std::span<const double> y);
+Fluxes flux_rates(const System& system, const Evaluation& at);
 
 }  // namespace pmr::coupling

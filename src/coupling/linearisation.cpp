@@ -10,22 +10,22 @@
 namespace pmr::coupling {
 namespace {
 
-std::vector<double> row_sums(const Csr* matrix, std::size_t rows) {
+template <class Rows>
+std::vector<double> row_sums(const Rows& matrix, std::size_t rows) {
   std::vector<double> sums(rows, 0.0);
-  if (matrix != nullptr)
-    parallel_for(matrix->rows(), [&](std::size_t i) {
-      sums[i] = sum_row(*matrix, i, [](std::uint32_t, double value) { return value; });
-    });
+  parallel_for(matrix.rows(), [&](std::size_t i) {
+    sums[i] = sum_row(matrix, i, [](std::uint32_t, double value) { return value; });
+  });
   return sums;
 }
 
 // Of the entries in the columns of reservoirs. Particles don't count as such.
-std::vector<double> reservoir_sums(const System& system, const Csr* matrix) {
+template <class Rows>
+std::vector<double> reservoir_sums(const System& system, const Rows& matrix) {
   std::vector<double> sums(system.nodes->count(), 0.0);
-  if (matrix == nullptr) return sums;
-  parallel_for(matrix->rows(), [&](std::size_t i) {
-    const auto columns = matrix->columns(i);
-    const auto values = matrix->values(i);
+  parallel_for(matrix.rows(), [&](std::size_t i) {
+    const auto columns = matrix.columns(i);
+    const auto values = matrix.values(i);
     for (std::size_t k = columns.size(); k-- > 0 && columns[k] >= system.nodes->solids();)
       if (system.stores[columns[k]] == 0) sums[i] += values[k];
   });
@@ -36,9 +36,9 @@ std::vector<double> reservoir_sums(const System& system, const Csr* matrix) {
 
 Linearisation::Linearisation(const System& system)
     : system_(system),
-      conduction_sum_(row_sums(&system.conductance, system.nodes->count())),
+      conduction_sum_(row_sums(system.conductance, system.nodes->count())),
       exchange_sum_(row_sums(system.exchange, system.nodes->count())),
-      conduction_out_(reservoir_sums(system, &system.conductance)),
+      conduction_out_(reservoir_sums(system, system.conductance)),
       exchange_out_(reservoir_sums(system, system.exchange)),
       emission_slope_(system.nodes->count()),
       capacity_(system.nodes->solids(), 1.0),
@@ -64,7 +64,7 @@ void Linearisation::fix(double t, std::span<const double> y, const Evaluation& a
   });
   parallel_for(reactions_.size(), [&](std::size_t k) {
     const Reactant& grain = system_.reactants[k];
-    const double T = at.temperature[grain.id], delta = y[system_.delta_begin() + k];
+    const double T = at.temperature[grain.id];
     const auto slopes = chemistry::oxygen_rate_slopes(*system_.solid[grain.id].material->redox,
                                                       rate_state(system_, y, at, k));
     const auto oxygen = chemistry::oxygen_heat(T);
@@ -75,7 +75,7 @@ void Linearisation::fix(double t, std::span<const double> y, const Evaluation& a
                      v * slopes.by_oxygen_pressure,
                      oxygen.enthalpy,
                      oxygen.heat_capacity,
-                     chemistry::enthalpy_delta_slope(system_.solid[grain.id], T, delta),
+                     chemistry::enthalpy_bond_slope(system_.solid[grain.id], T, at.bond[k]),
                      grain.iron,
                      grain.id,
                      system_.body_of(grain.id)};
@@ -168,9 +168,9 @@ double Linearisation::heat_change(std::size_t i, const std::vector<double>& chan
   double heat =
       sum_row(system_.conductance, i, [&](std::uint32_t j, double w) { return w * change[j]; }) -
       conduction_sum_[i] * change[i];
-  const Csr* g = system_.exchange;
-  if (g == nullptr || i >= g->rows()) return heat;
-  heat += sum_row(*g, i, [&](std::uint32_t j, double G) { return G * emission_change[j]; }) -
+  const RoundedRows& g = system_.exchange;
+  if (i >= g.rows()) return heat;
+  heat += sum_row(g, i, [&](std::uint32_t j, double G) { return G * emission_change[j]; }) -
           exchange_sum_[i] * emission_change[i];
   return heat;
 }

@@ -100,22 +100,38 @@ class Looked {
 
   // False where y lies outside the domain of the physics.
   bool look(double t, In y) {
-    if (is_valid_ && t == t_ && std::equal(y.begin(), y.end(), y_.begin())) return true;
-    is_valid_ = evaluate(system_, t, y, at_);
-    t_ = t;
-    y_.assign(y.begin(), y.end());
-    ++times_;
-    return is_valid_;
+    if (is_valid_ && has_heat_ && is_here(t, y)) return true;
+    has_heat_ = true;
+    return look_anew(t, y, evaluate);
+  }
+  // The heat that each node receives is then that of the look before, which for quadratures is at
+  // Newton's last but one iterate, less than newton_limit of the tolerance away.
+  bool look_without_heat(double t, In y) {
+    if (is_valid_ && is_here(t, y)) return true;
+    has_heat_ = false;
+    return look_anew(t, y, evaluate_without_heat);
   }
   long times() const { return times_; }  // that it had to be evaluated
   const Evaluation& at() const { return at_; }
 
  private:
+  bool is_here(double t, In y) const {
+    return t == t_ && std::equal(y.begin(), y.end(), y_.begin());
+  }
+  template <class Evaluate>
+  bool look_anew(double t, In y, const Evaluate& evaluate_at) {
+    is_valid_ = evaluate_at(system_, t, y, at_);
+    t_ = t;
+    y_.assign(y.begin(), y.end());
+    ++times_;
+    return is_valid_;
+  }
+
   const System& system_;
   Evaluation at_;
   double t_ = 0.0;
   std::vector<double> y_;
-  bool is_valid_ = false;
+  bool is_valid_ = false, has_heat_ = false;
   long times_ = 0;
 };
 
@@ -141,8 +157,8 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
     return true;
   };
   problem.quadrature = [&](double t, In now, Out rate) {
-    if (!looked.look(t, now)) return false;
-    const auto values = as_vector(flux_rates(system, looked.at(), now));
+    if (!looked.look_without_heat(t, now)) return false;
+    const auto values = as_vector(flux_rates(system, looked.at()));
     std::copy(values.begin(), values.end(), rate.begin());
     return true;
   };

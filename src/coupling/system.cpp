@@ -68,7 +68,7 @@ System assemble_system(const Case& c, const Nodes& nodes, const State& state,
   System system;
   system.kase = &c;
   system.nodes = &nodes;
-  system.exchange = state.exchange.factor.rows() > 0 ? &state.exchange.factor : nullptr;
+  if (state.exchange.factor.rows() > 0) system.exchange = RoundedRows(state.exchange.factor);
   system.conductance = symmetric_rows(links, nodes.count());
   system.links = std::move(links);
   system.stores.assign(nodes.count(), 0);

@@ -40,7 +40,7 @@ struct WallProfile {
 struct System {
   const Case* kase;
   const Nodes* nodes;
-  const Csr* exchange;                     // [m2] radiation; nullptr when off
+  RoundedRows exchange;                    // [m2] radiation; empty when off
   std::vector<HeatLink> links;             // [W/K]
   Csr conductance;                         // [W/K] the links as symmetric rows over all nodes
   std::vector<chemistry::Solid> solid;     // by solid node; amount 0: no longer there
@@ -105,6 +105,7 @@ struct Evaluation {
   std::vector<double> release;           // [mol O2/s] of each reactant
   std::vector<double> wall_temperature;  // [K] by wall cell
   std::vector<double> film_heat;         // [W] from the gas of each layer of pores to its solids
+  std::vector<double> bond;              // [J/mol O] reduction enthalpy of each reactant
   GasRates gas{};
 
   double oxygen_pressure(std::size_t body) const {  // [Pa]
@@ -124,12 +125,20 @@ std::vector<double> layer_means(const PoreSpace& pores, const Figure& figure) {
 inline chemistry::RateState rate_state(const System& system, std::span<const double> y,
                                        const Evaluation& at, std::size_t k) {
   const Reactant& grain = system.reactants[k];
-  return {at.temperature[grain.id], y[system.delta_begin() + k],
-          at.oxygen_pressure(system.body_of(grain.id)), grain.iron / grain.volume, grain.radius};
+  return {at.temperature[grain.id],
+          y[system.delta_begin() + k],
+          at.oxygen_pressure(system.body_of(grain.id)),
+          grain.iron / grain.volume,
+          grain.radius,
+          at.bond[k]};
 }
 
 // False where y lies outside the domain of the physics (the integrator tries a smaller step).
 bool evaluate(const System& system, double t, std::span<const double> y, Evaluation& at);
+
+// The same but for `heat`, which stays as it was: half of the work.
+bool evaluate_without_heat(const System& system, double t, std::span<const double> y,
+                           Evaluation& at);
 
 // dy/dt from an evaluation.
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate);
