@@ -34,7 +34,7 @@ statistics::Span span_of(const Study& study, const Plan& plan, std::size_t varia
     low = std::min(low, run.values[variable]);
     high = std::max(high, run.values[variable]);
   }
-  return {low, high, low > 0.0 && high > 20.0 * low};
+  return {low, high, low > 0.0 && (v.is_logarithmic || high > 20.0 * low)};
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string axis_title(const std::string& label, const std::string& unit) {
 
 bool is_on_log_axis(const Findings& f, std::size_t v) {
   const auto [low, high] = ends_of(f, v);
-  return low > 0.0 && high > 20.0 * low;
+  return low > 0.0 && (f.study.variables[v].is_logarithmic || high > 20.0 * low);
 }
 
 std::vector<double> abscissae(const Findings& f, std::size_t v, std::size_t count) {

@@ -65,10 +65,11 @@ std::string trends(const Findings& f) {
   }
   if (items.empty()) return "";
   const auto ends = abscissae(f, f.numeric.front(), 2);
-  return report::element("p", report::escape(fmt::format(
-                                  "From {} {} to {} {}, by the fitted curves:", variable.label,
-                                  number(ends[0]), number(ends[1]), unit_shown(variable.unit)))) +
-         report::element("ul", items);
+  const std::string unit = unit_shown(variable.unit);
+  const std::string head =
+      fmt::format("From {} {} to {}{}{}, by the fitted curves:", variable.label, number(ends[0]),
+                  number(ends[1]), unit.empty() ? "" : " ", unit);
+  return report::element("p", report::escape(head)) + report::element("ul", items);
 }
 
 }  // namespace pmr::study

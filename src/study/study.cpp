@@ -95,9 +95,6 @@ std::vector<double> spread(const Variable& v, std::size_t count) {
 void read_span(Table& table, Variable& v) {
   v.low = table.value("from", casefile::a_number);
   v.high = table.value("to", casefile::a_number);
-  const std::string spacing =
-      table.has("spacing") ? table.choice("spacing", {"linear", "log"}) : "linear";
-  v.is_logarithmic = spacing == "log";
   if (v.high <= v.low) table.fault("to", "wanted above 'from'");
   if (v.is_logarithmic && !(v.low > 0.0))
     table.fault("from", "wanted above 0 with spacing \"log\"");
@@ -118,7 +115,11 @@ Variable read_variable(Table& table, const std::string& name, DesignKind design)
   if (ways != 1) table.fault("", "wanted one of: values; from and to; levels");
   if (table.has("count") && (is_sampled || !table.has("from")))
     table.fault("count", "goes with 'from' and 'to' of a grid alone");
+  v.is_logarithmic = table.has("spacing") && table.choice("spacing", {"linear", "log"}) == "log";
   if (table.has("values")) v.values = table.values("values", casefile::a_number);
+  if (v.is_logarithmic &&
+      std::any_of(v.values.begin(), v.values.end(), [](double x) { return !(x > 0.0); }))
+    table.fault("values", "wanted above 0 with spacing \"log\"");
   if (table.has("from")) {
     read_span(table, v);
     if (!is_sampled) v.values = spread(v, table.count("count", 2));
