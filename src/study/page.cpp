@@ -10,6 +10,8 @@ namespace pmr::study {
 
 namespace {
 
+constexpr std::size_t most_in_title = 3;  // [1] variables; a run of more goes by its number
+
 // Lowest and highest value of a variable in the plan.
 std::pair<double, double> ends_of(const Findings& f, std::size_t v) {
   double low = f.plan.runs.front().values[v], high = low;
@@ -62,6 +64,7 @@ std::string run_link(const Findings& f, std::size_t row) {
 
 std::string run_title(const Findings& f, std::size_t row) {
   const PlannedRun& run = f.plan.runs[row];
+  if (f.study.variables.size() > most_in_title) return "run " + std::to_string(row + 1);
   std::string title;
   for (std::size_t v = 0; v < f.study.variables.size(); ++v) {
     Variable shown = f.study.variables[v];

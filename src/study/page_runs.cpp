@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
 
 #include "io/atomic_file.hpp"
 #include "report/colour_map.hpp"
@@ -56,44 +56,43 @@ std::string extremes_table(const Findings& f) {
                  "class=\"scroll\"");
 }
 
-// A warning without the share of particles that it begins with, and that share [%].
-std::pair<std::string, double> split_share(const std::string& warning) {
-  const std::string mark = " % of ";
-  const std::size_t at = warning.find(mark);
-  char* end = nullptr;
-  const double share = std::strtod(warning.c_str(), &end);
-  if (at == std::string::npos || end != warning.c_str() + at) return {warning, std::nan("")};
-  return {warning.substr(at + mark.size()), share};
+// A warning with its figures masked: runs differ in them alone.
+std::string masked(const std::string& warning) {
+  std::string mask;
+  for (const char c : warning) {
+    const bool is_figure = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
+    if (!is_figure)
+      mask += c;
+    else if (mask.empty() || mask.back() != '#')
+      mask += '#';
+  }
+  return mask;
 }
 
 struct Warned {
-  std::string text;
+  std::string mask, first;
   std::size_t runs = 0;
-  double share = std::nan("");  // [%] the largest
+  bool differs = false;  // other runs have other figures in it
 };
-
-std::string warning_item(const Warned& w) {
-  const std::string share =
-      std::isfinite(w.share) ? fmt::format("Up to {:.3g} % of ", w.share) : "";
-  return element(
-      "li", share + escape(w.text) + fmt::format(" ({} run{})", w.runs, w.runs == 1 ? "" : "s"));
-}
 
 // Warnings of the study, and those of the runs, each once.
 std::string warnings_of(const Findings& f) {
   std::vector<Warned> all;
   for (const Row& row : f.results.rows)
     for (const std::string& warning : row.warnings) {
-      const auto [text, share] = split_share(warning);
+      const std::string mask = masked(warning);
       auto known = all.begin();
-      while (known != all.end() && known->text != text) ++known;
-      if (known == all.end()) known = all.insert(all.end(), {text});
+      while (known != all.end() && known->mask != mask) ++known;
+      if (known == all.end()) known = all.insert(all.end(), {mask, warning});
       ++known->runs;
-      if (!(known->share >= share)) known->share = share;
+      known->differs = known->differs || known->first != warning;
     }
   std::string items;
   for (const std::string& warning : f.results.warnings) items += element("li", escape(warning));
-  for (const Warned& warned : all) items += warning_item(warned);
+  for (const Warned& w : all)
+    items += element("li",
+                     escape(w.first) + fmt::format(" ({} run{}{})", w.runs, w.runs == 1 ? "" : "s",
+                                                   w.differs ? ", each with its own figures" : ""));
   return items.empty() ? "" : element("ul", items, "class=\"warnings\"");
 }
 
@@ -193,12 +192,18 @@ report::Section picture_part(const Findings& f) {
 
 report::Section runs_part(const Findings& f) {
   std::vector<std::string> head{"run"};
+  const bool goes_by_number = !f.results.rows.empty() && run_title(f, 0) == "run 1";
+  for (const std::size_t v : f.numeric)
+    if (goes_by_number)
+      head.push_back(escape(axis_title(f.study.variables[v].label, f.study.variables[v].unit)));
   for (const Response& r : f.study.responses) head.push_back(escape(axis_title(r.label, r.unit)));
   head.emplace_back("status");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < f.results.rows.size(); ++k) {
     const Row& row = f.results.rows[k];
     std::vector<std::string> cells{title_cell(f, k)};
+    for (const std::size_t v : f.numeric)
+      if (goes_by_number) cells.push_back(shown(f.plan.runs[k].values[v]));
     for (const double value : row.responses) cells.push_back(shown(value));
     cells.push_back(escape(row.reason.empty() ? row.status : row.status + ": " + row.reason));
     rows.push_back(std::move(cells));

@@ -91,7 +91,7 @@ pmr.scatter_rows = function (spec) {
 
 // Horizontal bars with their intervals, the largest on top: what matters most.
 pmr.draw_bars = function (holder, spec, width) {
-  var size = { left: Math.min(260, 0.42 * width), right: 40, top: 8, bottom: 40, row: 24 };
+  var size = { left: Math.min(330, 0.55 * width), right: 40, top: 8, bottom: 40, row: 24 };
   size.width = width - size.left - size.right;
   size.height = size.row * spec.rows.length;
   var svg = holder.append("svg").attr("viewBox", "0 0 " + width + " " + (size.height + size.top + size.bottom))
