@@ -51,6 +51,20 @@ std::uint32_t Emitters::pick(std::uint32_t node, double fraction) const {
   return primitive_[static_cast<std::size_t>(at - begin)];
 }
 
+std::optional<std::uint32_t> Emitters::only_sphere(const Scene& scene, std::uint32_t node) const {
+  const bool is_one = start_[node + 1] == start_[node] + 1;
+  if (!is_one || !scene.is_sphere(primitive_[start_[node]])) return std::nullopt;
+  return primitive_[start_[node]];
+}
+
+Departure departure_of(const Scene& scene, std::uint32_t sphere, const SphereDepartures& eight,
+                       int lane) {
+  const Sphere& ball = scene.spheres()[sphere];
+  const Vec3 normal(eight.normal[0][lane], eight.normal[1][lane], eight.normal[2][lane]);
+  return {sphere, ball.centre + ball.radius * normal, normal,
+          Vec3(eight.direction[0][lane], eight.direction[1][lane], eight.direction[2][lane])};
+}
+
 Departure emit(const Scene& scene, std::uint32_t primitive, const std::array<double, 4>& u) {
   if (scene.is_sphere(primitive)) {
     const Sphere& sphere = scene.spheres()[primitive];

@@ -1,6 +1,7 @@
 // Who emits how many rays, and from where.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ class Emitters {
   // Nodes that have a surface, as their first primitives follow each other: neighbours in space, if
   // those are.
   std::vector<std::uint32_t> in_order() const;
+  // The sphere that is all of the node's surface, if it is one.
+  std::optional<std::uint32_t> only_sphere(const Scene& scene, std::uint32_t node) const;
   // The primitive at a fraction in [0, 1) of the node's area.
   std::uint32_t pick(std::uint32_t node, double fraction) const;
 
@@ -28,5 +31,9 @@ class Emitters {
 
 // Diffuse departure from a primitive's facing side, from four numbers in [0, 1).
 Departure emit(const Scene& scene, std::uint32_t primitive, const std::array<double, 4>& u);
+
+// One of eight departures from a sphere.
+Departure departure_of(const Scene& scene, std::uint32_t sphere, const SphereDepartures& eight,
+                       int lane);
 
 }  // namespace pmr::radiation

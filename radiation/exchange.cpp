@@ -93,13 +93,26 @@ UnitResult trace_unit(const Setup& setup, const Unit& unit) {
   const auto rays = static_cast<double>(setup.rays[unit.node]);
   UnitResult result;
   Tally absorbers(unit.last - unit.first);
-  for (std::uint64_t ray = unit.first; ray < unit.last; ++ray) {
-    const double fraction = (static_cast<double>(ray) + quasi.offset()) / rays;
-    const std::uint32_t primitive = setup.emitters.pick(unit.node, fraction);
-    const Departure departure = emit(setup.tracer.scene(), primitive, quasi.point(ray));
+  const auto fly_one = [&](const Departure& departure, std::uint64_t ray) {
     const std::uint32_t absorber = fly(setup, departure, unit.node, ray);
     result.unfinished += absorber == none ? 1 : 0;
     absorbers.add(absorber == none ? unit.node : absorber);
+  };
+  const Scene& scene = setup.tracer.scene();
+  if (const auto sphere = setup.emitters.only_sphere(scene, unit.node)) {
+    for (std::uint64_t first = unit.first; first < unit.last; first += lanes) {
+      const SphereDepartures eight = leave_sphere(quasi, first);
+      for (int lane = 0; lane < lanes && first + static_cast<std::uint64_t>(lane) < unit.last;
+           ++lane)
+        fly_one(departure_of(scene, *sphere, eight, lane),
+                first + static_cast<std::uint64_t>(lane));
+    }
+  } else {
+    for (std::uint64_t ray = unit.first; ray < unit.last; ++ray) {
+      const double fraction = (static_cast<double>(ray) + quasi.offset()) / rays;
+      const std::uint32_t primitive = setup.emitters.pick(unit.node, fraction);
+      fly_one(emit(scene, primitive, quasi.point(ray)), ray);
+    }
   }
   result.hits = absorbers.row();
   return result;

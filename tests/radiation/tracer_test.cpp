@@ -153,3 +153,22 @@ TEST_CASE("diffuse directions have Lambert's moments about any normal") {
     CHECK((mean - mean.dot(normal) * normal).norm() < 5.0 * std::sqrt(0.25 / n));
   }
 }
+
+TEST_CASE("Eight departures at a time are those of one at a time, bit for bit") {
+  const std::vector<Sphere> spheres{{Vec3(0.1, -0.2, 0.3), 1e-3, 0}};
+  const Scene scene(spheres, {});
+  for (std::uint64_t node = 0; node < 200; ++node) {
+    const QuasiPoints quasi(7, node, 3);
+    for (const std::uint64_t first :
+         {std::uint64_t{0}, std::uint64_t{4096}, std::uint64_t{81920}}) {
+      const SphereDepartures eight = leave_sphere(quasi, first);
+      for (int lane = 0; lane < lanes; ++lane) {
+        const Departure one = emit(scene, 0, quasi.point(first + static_cast<std::uint64_t>(lane)));
+        const Departure same = departure_of(scene, 0, eight, lane);
+        REQUIRE(same.normal == one.normal);
+        REQUIRE(same.direction == one.direction);
+        REQUIRE(same.point == one.point);
+      }
+    }
+  }
+}
