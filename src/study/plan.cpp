@@ -62,7 +62,7 @@ void derive(const Study& study, Values& known) {
         known[entry.first] = evaluated(entry.second, known);
         return true;
       } catch (const std::invalid_argument& error) {
-        problem = "derived." + entry.first + ": " + error.what();
+        if (problem.empty()) problem = "derived." + entry.first + ": " + error.what();
         return false;
       }
     });
