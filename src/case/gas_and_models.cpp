@@ -92,8 +92,8 @@ RadiationModel read_radiation(Table& models, const Node& node) {
   Table table(models.reading(), node, models.path("radiation"));
   const Want rays{Dimension::none, {1.0, 1.0e7}};
   RadiationModel radiation{};
-  radiation.rays_moving = table.value("rays_moving", rays, 32.0);
-  radiation.rays_settled = table.value("rays_settled", rays, 512.0);
+  radiation.rays_moving = table.value("rays_moving", rays, 16.0);
+  radiation.rays_settled = table.value("rays_settled", rays, 320.0);
   radiation.retrace_interval = table.value("retrace_interval", a_duration, 0.05);
   radiation.retrace_displacement = table.value("retrace_displacement", a_positive_number, 0.05);
   radiation.emissivity_change = table.value("emissivity_change", a_positive_number, 0.005);
