@@ -59,6 +59,7 @@ std::vector<Group> groups_of(const Study& study, const Plan& plan, const Results
     if (is_completed(results.rows[k])) group.rows.push_back(k);
   }
   std::vector<Group> all;
+  all.reserve(groups.size());
   for (auto& [levels, group] : groups) all.push_back(std::move(group));
   return all;
 }
@@ -69,6 +70,7 @@ std::vector<Fit> fit_all(const Study& study, const Plan& plan, const Results& re
   const auto numeric = numeric_variables(study, plan);
   if (numeric.empty()) return fits;
   std::vector<statistics::Span> spans;
+  spans.reserve(numeric.size());
   for (const std::size_t v : numeric) spans.push_back(span_of(study, plan, v));
   for (std::size_t r = 0; r < study.responses.size(); ++r)
     for (std::size_t g = 0; g < groups.size(); ++g) {

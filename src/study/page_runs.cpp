@@ -157,6 +157,7 @@ report::Section trade_off_part(const Findings& f, report::Charts& charts) {
   spec.set("y", axis(gain));
   spec.set("series", Value::Array{dominated, frontier});
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(front.size());
   for (const std::size_t k : front)
     rows.push_back({title_cell(f, k), shown(f.results.rows[k].responses[gain]),
                     shown(f.results.rows[k].responses[cost])});

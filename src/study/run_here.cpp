@@ -35,6 +35,7 @@ constexpr int exit_interrupted = 130, exit_not_started = 127;
 pid_t start(const Job& job) {
   std::vector<std::string> text = job.command;
   std::vector<char*> words;
+  words.reserve(text.size() + 1);
   for (std::string& word : text) words.push_back(word.data());
   words.push_back(nullptr);
   const int log = ::open(job.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
