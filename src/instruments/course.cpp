@@ -60,12 +60,23 @@ std::filesystem::path make_folder(const std::filesystem::path& dir) {
   return dir;
 }
 
+// Each particle with the mass that its material's stated density gives it: oxygen that has left is
+// no change of the mixture.
+Particles as_stated(const Case& setup, Particles bed) {
+  for (std::size_t i = 0; i < bed.size(); ++i) {
+    const double r = bed.radius[i];
+    bed.mass[i] = setup.materials.list[setup.species[bed.species[i]].material].density * 4.0 / 3.0 *
+                  pi * r * r * r;
+  }
+  return bed;
+}
+
 }  // namespace
 
 std::optional<BedSections> decompose(const Case& setup, const Particles& bed) {
   const auto pair = beads_and_granules(setup);
   if (!setup.decomposition || !pair) return std::nullopt;
-  return decompose(bed, *setup.decomposition, *pair);
+  return decompose(as_stated(setup, bed), *setup.decomposition, *pair);
 }
 
 io::Series layer_table(const BedSections& sections, const Decomposition& tool) {

@@ -64,6 +64,24 @@ std::vector<Group> groups_of(const Study& study, const Plan& plan, const Results
   return all;
 }
 
+namespace {
+
+// Lowest and highest of each coordinate over the points whose value is a number.
+std::vector<std::array<double, 2>> ends_of(const statistics::Points& points,
+                                           const std::vector<double>& values) {
+  std::vector<std::array<double, 2>> ends;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!std::isfinite(values[k])) continue;
+    if (ends.empty())
+      for (const double x : points[k]) ends.push_back({x, x});
+    for (std::size_t a = 0; a < ends.size(); ++a)
+      ends[a] = {std::min(ends[a][0], points[k][a]), std::max(ends[a][1], points[k][a])};
+  }
+  return ends;
+}
+
+}  // namespace
+
 std::vector<Fit> fit_all(const Study& study, const Plan& plan, const Results& results,
                          const std::vector<Group>& groups) {
   std::vector<Fit> fits;
@@ -81,9 +99,9 @@ std::vector<Fit> fit_all(const Study& study, const Plan& plan, const Results& re
         for (const std::size_t v : numeric) points.back().push_back(plan.runs[row].values[v]);
         values.push_back(results.rows[row].responses[r]);
       }
-      const bool any = std::any_of(values.begin(), values.end(),
-                                   [](double value) { return std::isfinite(value); });
-      if (any) fits.push_back({r, g, statistics::Surrogate(spans, points, values)});
+      auto ends = ends_of(points, values);
+      if (!ends.empty())
+        fits.push_back({r, g, std::move(ends), statistics::Surrogate(spans, points, values)});
     }
   return fits;
 }

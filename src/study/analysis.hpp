@@ -1,5 +1,6 @@
 // What the results of a study say: fitted curves, what matters most, what was best.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ std::vector<Group> groups_of(const Study& study, const Plan& plan, const Results
 // One response of one group over the numeric variables.
 struct Fit {
   std::size_t response, group;
+  std::vector<std::array<double, 2>> ends;  // of each numeric variable in runs with this figure
   statistics::Surrogate surrogate;
 };
 std::vector<Fit> fit_all(const Study& study, const Plan& plan, const Results& results,

@@ -12,16 +12,6 @@ namespace {
 
 constexpr std::size_t most_in_title = 3;  // [1] variables; a run of more goes by its number
 
-// Lowest and highest value of a variable in the plan.
-std::pair<double, double> ends_of(const Findings& f, std::size_t v) {
-  double low = f.plan.runs.front().values[v], high = low;
-  for (const PlannedRun& run : f.plan.runs) {
-    low = std::min(low, run.values[v]);
-    high = std::max(high, run.values[v]);
-  }
-  return {low, high};
-}
-
 }  // namespace
 
 std::string unit_shown(const std::string& unit) { return unit == "degC" ? "°C" : unit; }
@@ -30,14 +20,24 @@ std::string axis_title(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit_shown(unit) + "]";
 }
 
+std::array<double, 2> ends_of(const Findings& f, std::size_t v) {
+  double low = f.plan.runs.front().values[v], high = low;
+  for (const PlannedRun& run : f.plan.runs) {
+    low = std::min(low, run.values[v]);
+    high = std::max(high, run.values[v]);
+  }
+  return {low, high};
+}
+
 bool is_on_log_axis(const Findings& f, std::size_t v) {
   const auto [low, high] = ends_of(f, v);
   return low > 0.0 && (f.study.variables[v].is_logarithmic || high > 20.0 * low);
 }
 
-std::vector<double> abscissae(const Findings& f, std::size_t v, std::size_t count) {
-  const auto [low, high] = ends_of(f, v);
-  const bool is_logarithmic = is_on_log_axis(f, v);
+std::vector<double> abscissae(const Findings& f, const Fit& fit, std::size_t place,
+                              std::size_t count) {
+  const auto [low, high] = fit.ends[place];
+  const bool is_logarithmic = is_on_log_axis(f, f.numeric[place]);
   std::vector<double> xs;
   for (std::size_t k = 0; k < count; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(count - 1);

@@ -26,8 +26,10 @@ report::Section picture_part(const Findings& f);  // beds at the extremes
 report::Section runs_part(const Findings& f);     // every run, linked
 report::Section reproduction_part(const Findings& f);
 
-// Values of a numeric variable from end to end of the plan, even on its axis.
-std::vector<double> abscissae(const Findings& f, std::size_t v, std::size_t count);
+std::array<double, 2> ends_of(const Findings& f, std::size_t v);  // of a variable in the plan
+// Values of the numeric variable at `place`, even on its axis, where runs have the fit's figure.
+std::vector<double> abscissae(const Findings& f, const Fit& fit, std::size_t place,
+                              std::size_t count);
 bool is_on_log_axis(const Findings& f, std::size_t v);  // where its values span decades
 const Fit* fit_of(const Findings& f, std::size_t response, std::size_t group);
 bool has_values(const Findings& f, std::size_t response);

@@ -50,7 +50,7 @@ Value point_of(const Findings& f, std::size_t row, double x, double y) {
 
 // The surrogate with its band of two deviations; over several variables its mean over the others.
 Value curve_of(const Findings& f, const Fit& fit, std::size_t place) {
-  const auto xs = abscissae(f, f.numeric[place], curve_points);
+  const auto xs = abscissae(f, fit, place, curve_points);
   std::vector<double> y, low, high;
   for (const double x : xs) {
     const auto at = fit.surrogate.main_effect(place, x);

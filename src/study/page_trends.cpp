@@ -18,7 +18,7 @@ struct Course {
 };
 
 Course course_of(const Findings& f, const Fit& fit) {
-  Course c{abscissae(f, f.numeric.front(), places), {}, 0.0};
+  Course c{abscissae(f, fit, 0, places), {}, 0.0};
   for (const double x : c.x) {
     const auto at = fit.surrogate.main_effect(0, x);
     c.y.push_back(at.mean);
@@ -34,7 +34,8 @@ std::string told(const Course& c, const std::string& unit, const std::string& x_
   const auto [low, high] = std::minmax_element(c.y.begin(), c.y.end());
   const double first = c.y.front(), last = c.y.back();
   const auto with = [&](double value) { return number(value) + (unit.empty() ? "" : " " + unit); };
-  if (*high - *low <= c.noise) return "does not change by more than its noise, near " + with(first);
+  if (*high - *low <= c.noise || number(*low) == number(*high))
+    return "does not change by more than its noise, near " + with(first);
   std::string text =
       fmt::format("{} from {} to {}", last > first ? "rises" : "falls", number(first), with(last));
   const auto turn = [&](std::vector<double>::const_iterator at, const char* word, double beyond) {
@@ -53,6 +54,11 @@ std::string told(const Course& c, const std::string& unit, const std::string& x_
 std::string trends(const Findings& f) {
   if (f.numeric.size() != 1 || is_sampled(f.study)) return "";
   const Variable& variable = f.study.variables[f.numeric.front()];
+  const std::string unit = unit_shown(variable.unit);
+  const std::array<double, 2> ends = ends_of(f, f.numeric.front());
+  const auto span = [&](const std::array<double, 2>& of) {
+    return fmt::format("{} to {}{}{}", number(of[0]), number(of[1]), unit.empty() ? "" : " ", unit);
+  };
   std::string items;
   for (const Fit& fit : f.fits) {
     if (!fit.surrogate.basis().why_constant.empty()) continue;
@@ -61,14 +67,12 @@ std::string trends(const Findings& f) {
     items += report::element(
         "li",
         report::escape(response.label + (group.empty() ? "" : " (" + group + ")") + " " +
-                       told(course_of(f, fit), response.unit, unit_shown(variable.unit)) + "."));
+                       told(course_of(f, fit), response.unit, unit) +
+                       (fit.ends[0] == ends ? "" : " (from " + span(fit.ends[0]) + ")") + "."));
   }
   if (items.empty()) return "";
-  const auto ends = abscissae(f, f.numeric.front(), 2);
-  const std::string unit = unit_shown(variable.unit);
   const std::string head =
-      fmt::format("From {} {} to {}{}{}, by the fitted curves:", variable.label, number(ends[0]),
-                  number(ends[1]), unit.empty() ? "" : " ", unit);
+      fmt::format("From {} {}, by the fitted curves:", variable.label, span(ends));
   return report::element("p", report::escape(head)) + report::element("ul", items);
 }
 

@@ -28,6 +28,8 @@ Case two_species() {
   setup.species.resize(2);
   setup.species[0].material = 0;
   setup.species[1].material = 1;
+  setup.materials.list[0].density = 1000.0;
+  setup.materials.list[1].density = 2000.0;
   setup.decomposition = test::tool({0.5, 0.25});
   setup.decomposition->reference = MixtureReference{"measured.csv", {3.0, 2.0}, {}};
   setup.thermocouples = {{"core", Vec3::Zero(), 0.01}};
@@ -38,8 +40,8 @@ Particles ring_bed() {
   Particles bed;
   for (std::size_t s = 0; s < 8; ++s)
     for (const double z : {0.001, 0.002, 0.003, 0.004}) {
-      test::add_sphere(bed, 0, test::on_ring(s, z), 0.0005, 1.0);
-      test::add_sphere(bed, 1, test::on_ring(s, z), 0.0005, 2.0);
+      test::add_sphere(bed, 0, test::on_ring(s, z), 0.0005, 0.9);  // lighter by its oxygen
+      test::add_sphere(bed, 1, test::on_ring(s, z), 0.0005, 1.0);
     }
   return bed;
 }
@@ -91,10 +93,11 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
   CHECK(layers[0] ==
         "layer [1],mass [kg],thickness [m],top [m],mass_ratio [1],sector_mean_ratio [1],"
         "left_right_asymmetry [1],reference_mass_ratio [1],deviation [1]");
-  // w = 2 in every section, against 3 and 2; alike left and right.
+  // w = 2 in every section by the stated densities, against 3 and 2; alike left and right.
   CHECK_THAT(layers[1], Catch::EndsWith(",2,2,0,3,0.33333333333333337"));
   CHECK_THAT(layers[2], Catch::EndsWith(",2,2,0,2,0"));
-  CHECK(layers[3].substr(0, 5) == "3,24,");  // the residuum: a quarter of 96 kg
+  const double sphere = 4.0 / 3.0 * pi * 0.0005 * 0.0005 * 0.0005;  // [m3]
+  CHECK(std::stod(layers[3].substr(2)) == Approx(0.25 * 32 * 3000.0 * sphere));  // the residuum
   CHECK_THAT(layers[3], Catch::EndsWith(",nan,nan"));
   CHECK(lines(dir / "sections.csv").size() == 1 + 2 * 8);
 }
