@@ -1,73 +1,19 @@
-// Forces between two touching spheres, or a sphere and a wall: Hertz with damping, tangential
-// spring with history, Coulomb friction, EPSD2 rolling resistance (Ai et al., Powder Technol. 206
-// (2011) 269), term by term as LIGGGHTS 3.8.0 executes them (the contact parameters of the
-// demonstrator study were calibrated with that code, so its order of operations is the model):
-//   normal        F_n = k_n d - c_n v_n, may attract at the end of a contact;
-//   tangential    the spring takes the slip of this step, then is projected into the contact plane;
-//                 the Coulomb cap mu |F_n| tests the spring alone; damping is added while it
-//                 sticks and dropped while it slides;
-//   rolling       torque spring k_r = k_t R*^2 on the relative spin without its normal part,
-//                 capped and stored at mu_r R* |F_n|, neither projected nor rescaled; at a wall
-//                 the spin counts (R - d/2)/(R - d) times;
-//   lever arms    R - d/2.
-// Written once for a real that is a double (walls, tests) or several contacts side by side
-// (lanes.hpp); includes nothing but plain data, for it is compiled for several processors.
+// Forces between two touching spheres, or a sphere and a wall. A run has one force law and one
+// rolling law (pmr/state/contact_laws.hpp), each a type with an overload here; `evaluate` joins
+// them and is instantiated once for each pair. What they are now, term by term as LIGGGHTS 3.8.0
+// executes them (the contact parameters of the demonstrator study were calibrated with that code,
+// so its order of operations is the model), with R*, m* reduced radius and mass, lever arms
+// R - d/2. Written once for a real that is a double (walls, tests) or several contacts side by
+// side; nothing here may have code that processors would share.
 #pragma once
 #include <cmath>
 
+#include "physics/triple.hpp"
+#include "pmr/state/contact_laws.hpp"
+
 namespace pmr::physics {
 
-template <class Real>
-struct Triple {
-  Real x, y, z;
-
-  [[gnu::always_inline]] friend Triple operator+(const Triple& a, const Triple& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-  [[gnu::always_inline]] friend Triple operator-(const Triple& a, const Triple& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
-  [[gnu::always_inline]] friend Triple operator*(const Real& s, const Triple& a) {
-    return {s * a.x, s * a.y, s * a.z};
-  }
-};
-
-// c + a b and c - a b in one rounding: a tenth less work for the kernel, and said here rather than
-// left to the compiler, so that all compilers agree on the bits.
-[[gnu::always_inline]] inline double plus(double c, double a, double b) {
-  return std::fma(a, b, c);
-}
-[[gnu::always_inline]] inline double minus(double c, double a, double b) {
-  return std::fma(-a, b, c);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Triple<Real> plus(const Triple<Real>& c, const Real& a,
-                                                const Triple<Real>& b) {
-  return {plus(c.x, a, b.x), plus(c.y, a, b.y), plus(c.z, a, b.z)};
-}
-template <class Real>
-[[gnu::always_inline]] inline Triple<Real> minus(const Triple<Real>& c, const Real& a,
-                                                 const Triple<Real>& b) {
-  return {minus(c.x, a, b.x), minus(c.y, a, b.y), minus(c.z, a, b.z)};
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Real dot(const Triple<Real>& a, const Triple<Real>& b) {
-  return plus(plus(a.x * b.x, a.y, b.y), a.z, b.z);
-}
-
-template <class Real>
-[[gnu::always_inline]] inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
-  return {minus(a.y * b.z, a.z, b.y), minus(a.z * b.x, a.x, b.z), minus(a.x * b.y, a.y, b.x)};
-}
-
-[[gnu::always_inline]] inline bool any(bool condition) { return condition; }
-[[gnu::always_inline]] inline double select(bool condition, double yes, double no) {
-  return condition ? yes : no;
-}
-
-// What of the law depends on the two materials only. With s = sqrt(R* d):
+// What of the laws depends on the two materials only. With s = sqrt(R* d):
 template <class Real>
 struct LawOf {
   Real normal;              // [Pa] k_n = normal s, normal = 4/3 Y*
@@ -105,14 +51,27 @@ struct ContactForce {
   Triple<Real>
       twist;  // [N] n x F_t: torque on i -arm_i twist - rolling, on j -arm_j twist + rolling
   Triple<Real> rolling;  // [N m]
-  Real elastic;          // [J] energy of the Hertz spring, 2/5 k_n d^2
+  Real elastic;          // [J] energy of the normal spring
 };
 
-// Moves the springs on by dt [s] and returns the forces.
+// What a force law gives, and rolling laws build on.
 template <class Real>
-[[gnu::always_inline]] inline ContactForce<Real> evaluate(const LawOf<Real>& law,
-                                                          const Touch<Real>& t, const Real& dt,
-                                                          Springs<Real>& springs) {
+struct SurfaceForce {
+  Real spring;                // [N] k_n d
+  Real normal;                // [N] F_n, damping included
+  Real tangential_stiffness;  // [N/m] k_t
+  Triple<Real> force;         // [N] on i
+  Triple<Real> twist;         // [N] n x F_t
+  Real energy;                // [J] of the normal spring; Hertz: 2/5 k_n d^2
+};
+
+// Normal: F_n = k_n d - c_n v_n, may attract at the end of a contact. Tangential: the spring takes
+// the slip of this step, then is projected into the contact plane; the Coulomb cap mu |F_n| tests
+// the spring alone; damping is added while it sticks and dropped while it slides.
+template <class Real>
+[[gnu::always_inline]] inline SurfaceForce<Real> surface_force(HertzCoulomb, const LawOf<Real>& law,
+                                                               const Touch<Real>& t, const Real& dt,
+                                                               Triple<Real>& history) {
   using std::abs, std::sqrt;
   const Real zero{0.0}, one{1.0};
   const Real s = sqrt(t.reduced_radius * t.overlap);  // [m] radius of the contact's area
@@ -124,7 +83,7 @@ template <class Real>
 
   const Real k_t = law.tangential * s;
   const Triple<Real> slip = minus(t.velocity, v_n, t.n) - cross(t.surface_spin, t.n);
-  Triple<Real> d_t = plus(springs.tangential, dt, slip);
+  Triple<Real> d_t = plus(history, dt, slip);
   d_t = minus(d_t, dot(d_t, t.n), t.n);
   const Real spring_squared = k_t * k_t * dot(d_t, d_t);
   const Real limit = law.friction * abs(f_n);
@@ -132,18 +91,52 @@ template <class Real>
   if (any(slides)) d_t = select(slides, limit / sqrt(spring_squared), one) * d_t;
   const Real c_t = select(slides, zero, law.tangential_damping * root);
   const Triple<Real> f_t = minus((zero - k_t) * d_t, c_t, slip);
-  springs.tangential = d_t;
+  history = d_t;
+  return {spring, f_n, k_t, plus(f_t, f_n, t.n), cross(t.n, f_t), Real{0.4} * spring * t.overlap};
+}
 
-  const Real k_r = k_t * t.reduced_radius * t.reduced_radius;
+// Torque spring k_r = k_t R*^2 on the relative spin without its normal part, capped and stored at
+// mu_r R* |F_n|, neither projected nor rescaled; at a wall the spin counts (R - d/2)/(R - d) times.
+template <class Real>
+[[gnu::always_inline]] inline Triple<Real> rolling_torque(Epsd2, const LawOf<Real>& law,
+                                                          const Touch<Real>& t,
+                                                          const SurfaceForce<Real>& f,
+                                                          const Real& dt, Triple<Real>& history) {
+  using std::abs, std::sqrt;
+  const Real k_r = f.tangential_stiffness * t.reduced_radius * t.reduced_radius;
   const Triple<Real> roll = minus(t.relative_spin, dot(t.relative_spin, t.n), t.n);
-  Triple<Real> torque = plus(springs.rolling, k_r * dt * t.rolling_gain, roll);
-  const Real torque_limit = law.rolling_friction * t.reduced_radius * abs(f_n);
-  const Real torque_squared = dot(torque, torque);
-  const auto gives_way = torque_squared > torque_limit * torque_limit;
-  if (any(gives_way)) torque = select(gives_way, torque_limit / sqrt(torque_squared), one) * torque;
-  springs.rolling = torque;
+  Triple<Real> torque = plus(history, k_r * dt * t.rolling_gain, roll);
+  const Real limit = law.rolling_friction * t.reduced_radius * abs(f.normal);
+  const Real squared = dot(torque, torque);
+  const auto gives_way = squared > limit * limit;
+  if (any(gives_way)) torque = select(gives_way, limit / sqrt(squared), Real{1.0}) * torque;
+  history = torque;
+  return torque;
+}
 
-  return {plus(f_t, f_n, t.n), cross(t.n, f_t), torque, Real{0.4} * spring * t.overlap};
+// mu_r R* k_n d against the relative spin, whose normal part is left out after its length was
+// taken: a sphere that also spins about n is braked less. Remembers nothing.
+template <class Real>
+[[gnu::always_inline]] inline Triple<Real> rolling_torque(Cdt, const LawOf<Real>& law,
+                                                          const Touch<Real>& t,
+                                                          const SurfaceForce<Real>& f, const Real&,
+                                                          Triple<Real>& history) {
+  using std::sqrt;
+  const Real zero{0.0};
+  history = {zero, zero, zero};
+  const Real squared = dot(t.relative_spin, t.relative_spin);
+  const Triple<Real> roll = minus(t.relative_spin, dot(t.relative_spin, t.n), t.n);
+  const Real torque = law.rolling_friction * f.spring * t.reduced_radius;
+  return select(squared > zero, torque / sqrt(squared), zero) * roll;
+}
+
+// Moves the springs on by dt [s] and returns the forces.
+template <class Force, class Rolling, class Real>
+[[gnu::always_inline]] inline ContactForce<Real> evaluate(const LawOf<Real>& law,
+                                                          const Touch<Real>& t, const Real& dt,
+                                                          Springs<Real>& springs) {
+  const SurfaceForce<Real> f = surface_force(Force{}, law, t, dt, springs.tangential);
+  return {f.force, f.twist, rolling_torque(Rolling{}, law, t, f, dt, springs.rolling), f.energy};
 }
 
 }  // namespace pmr::physics

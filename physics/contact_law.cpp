@@ -41,8 +41,19 @@ ContactLaw contact_law(const Material& a, const Material& b, const PairContact& 
           .rolling_friction = pair.rolling_friction};
 }
 
+SingleContact single_contact(const ContactModel& model) {
+  return std::visit(
+      [](auto force, auto rolling) -> SingleContact {
+        return evaluate<decltype(force), decltype(rolling), double>;
+      },
+      model.force, model.rolling);
+}
+
 ContactLaws::ContactLaws(const Case& c)
-    : species_(c.species.size()), materials_(c.materials.list.size()) {
+    : model_(c.models.mechanics.contact),
+      evaluate_(single_contact(model_)),
+      species_(c.species.size()),
+      materials_(c.materials.list.size()) {
   const auto law = [&](std::size_t a, std::size_t b) {
     return contact_law(c.materials.list[a], c.materials.list[b], c.materials.pair(a, b));
   };

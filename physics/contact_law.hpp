@@ -14,6 +14,11 @@ ContactLaw contact_law(const Material& a, const Material& b, const PairContact& 
 // 1/Y* = (1 - nu_a^2)/Y_a + (1 - nu_b^2)/Y_b [Pa], softened moduli.
 double effective_young(const Material& a, const Material& b);
 
+// One contact under a force law and a rolling law: `evaluate` of both.
+using SingleContact = ContactForce<double> (*)(const ContactLaw&, const Touch<double>&,
+                                               const double& dt, Springs<double>&);
+SingleContact single_contact(const ContactModel& model);
+
 // Laws of all pairs of species and of all species with all wall materials.
 class ContactLaws {
  public:
@@ -22,13 +27,20 @@ class ContactLaws {
     return pairs_[species_i * species_ + species_j];
   }
   std::size_t species() const { return species_; }
+  const ContactModel& model() const { return model_; }
   // Of species i with species j at [i * count of species + j].
   const std::vector<ContactLaw>& pairs() const { return pairs_; }
   const ContactLaw& with_wall(std::uint32_t species, std::uint32_t material) const {
     return walls_[species * materials_ + material];
   }
+  ContactForce<double> evaluate(const ContactLaw& law, const Touch<double>& touch, double dt,
+                                Springs<double>& springs) const {
+    return evaluate_(law, touch, dt, springs);
+  }
 
  private:
+  ContactModel model_;
+  SingleContact evaluate_;
   std::size_t species_, materials_;
   std::vector<ContactLaw> pairs_, walls_;
 };

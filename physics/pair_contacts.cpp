@@ -78,7 +78,7 @@ struct PairContacts::Remembered {
 PairContacts::PairContacts(const ContactLaws& laws)
     : laws_(laws.pairs()),
       species_(static_cast<std::uint32_t>(laws.species())),
-      kernel_(best_pair_kernel()) {}
+      kernel_(best_pair_kernel(places_of(laws.model()))) {}
 
 void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double dt,
                         double skin, const ContactHistory& history) {

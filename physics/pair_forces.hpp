@@ -71,6 +71,7 @@ struct Sums {
 };
 
 // Lanes::count pairs of a group, from lane `from` on. Returns the bits of those that touch.
+template <class Force, class Rolling>
 [[gnu::always_inline]] inline std::uint32_t evaluate_lanes(const PairWork& work,
                                                            const LawOf<Lanes>& law,
                                                            PairGroup& group, std::size_t from,
@@ -108,7 +109,7 @@ struct Sums {
                            radius_i * radius_j * (product * distance * inverse_mass),
                            product * distance * sum};
   Springs<Lanes> springs{load_vector(group.tangential, from), load_vector(group.rolling, from)};
-  const ContactForce<Lanes> f = evaluate(law, touch, Lanes{work.dt}, springs);
+  const ContactForce<Lanes> f = evaluate<Force, Rolling>(law, touch, Lanes{work.dt}, springs);
   store_vector(group.tangential, from, touches, springs.tangential);
   store_vector(group.rolling, from, touches, springs.rolling);
 
@@ -140,14 +141,15 @@ struct Sums {
           Lanes{law.friction},       Lanes{law.rolling_friction}};
 }
 
-[[gnu::always_inline]] inline ContactBook pair_forces(const PairWork& work) {
+template <class Force, class Rolling>
+ContactBook pair_forces(const PairWork& work) {
   Sums sums;
   for (std::size_t g = 0; g < work.group_count; ++g) {
     PairGroup& group = work.groups[g];
     const LawOf<Lanes> law = on_all_lanes(work.laws[group.law]);
     std::uint32_t touching = 0;
     for (std::size_t from = 0; from < PairGroup::count; from += Lanes::count)
-      touching |= evaluate_lanes(work, law, group, from, sums) << from;
+      touching |= evaluate_lanes<Force, Rolling>(work, law, group, from, sums) << from;
     group.touching = static_cast<std::uint8_t>(touching);
   }
   ContactBook book;
@@ -157,6 +159,20 @@ struct Sums {
   for (const double r : ratio)
     if (r > book.overlap_ratio) book.overlap_ratio = r;
   return book;
+}
+
+// The kernels of a force law with each rolling law, in the order of their set.
+template <class Force, class... Rolling>
+PairKernel kernel_with(std::size_t rolling, const std::variant<Rolling...>*) {
+  constexpr PairKernel kernels[] = {pair_forces<Force, Rolling>...};
+  return kernels[rolling];
+}
+
+template <class... Force>
+PairKernel kernel_of(LawPair laws, const std::variant<Force...>*) {
+  using Choice = PairKernel (*)(std::size_t, const RollingLaw*);
+  constexpr Choice choices[] = {kernel_with<Force>...};
+  return choices[laws.force](laws.rolling, nullptr);
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 
 namespace pmr::physics {
 
-PairKernel best_pair_kernel() {
+LawPair places_of(const ContactModel& model) {
+  return {model.force.index(), model.rolling.index()};
+}
+
+PairKernel best_pair_kernel(LawPair laws) {
   __builtin_cpu_init();
   const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                           __builtin_cpu_supports("avx512vl") &&
                           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
-  return has_avx512 ? pair_forces_avx512 : pair_forces_avx2;
+  return has_avx512 ? pair_kernel_avx512(laws) : pair_kernel_avx2(laws);
 }
 
 }  // namespace pmr::physics

@@ -45,10 +45,17 @@ struct ContactBook {
 // Evaluates all pairs and adds their forces to the loads of their own spheres; a pair's elastic
 // energy counts where sphere i is an own one.
 using PairKernel = ContactBook (*)(const PairWork&);
-ContactBook pair_forces_avx2(const PairWork& work);
-ContactBook pair_forces_avx512(const PairWork& work);
+
+// Which of ForceLaw and of RollingLaw: their places in the sets.
+struct LawPair {
+  std::size_t force, rolling;
+};
+LawPair places_of(const ContactModel& model);
+
+PairKernel pair_kernel_avx2(LawPair laws);
+PairKernel pair_kernel_avx512(LawPair laws);
 
 // The fastest that this processor can run.
-PairKernel best_pair_kernel();
+PairKernel best_pair_kernel(LawPair laws);
 
 }  // namespace pmr::physics

@@ -2,6 +2,8 @@
 
 namespace pmr::physics {
 
-ContactBook pair_forces_avx2(const PairWork& work) { return pair_forces(work); }
+PairKernel pair_kernel_avx2(LawPair laws) {
+  return kernel_of(laws, static_cast<const ForceLaw*>(nullptr));
+}
 
 }  // namespace pmr::physics

@@ -255,7 +255,7 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Meeting& me
                             arm / (sphere.radius - met.overlap),
                             sphere.radius,
                             1.0 / u.inverse_mass};
-  const ContactForce<double> f = evaluate(
+  const ContactForce<double> f = laws_.evaluate(
       laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, met.slot->springs);
   load.force += vec3(f.force);
   load.torque -= vec3(arm * f.twist + f.rolling);

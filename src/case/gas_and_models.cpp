@@ -55,6 +55,12 @@ const Node* model(Table& models, const std::string& key, const Node& defaults) {
   return models.flag(key, false) ? &defaults : nullptr;
 }
 
+// A law that has a name and no figures; without the key it stays what it is.
+template <class Law>
+void read_bare_law(Table& table, const std::string& key, Law& law) {
+  if (table.look(key) != nullptr) choose_law(table, key, law, [&](auto named) { law = named; });
+}
+
 MechanicsModel read_mechanics(Table& models) {
   const Node defaults;
   const Node* node = models.look_table("mechanics");
@@ -68,6 +74,8 @@ MechanicsModel read_mechanics(Table& models) {
   mechanics.fraction_of_rayleigh =
       table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.189);
   mechanics.skin = table.value("skin", a_positive_number, 0.3);
+  read_bare_law(table, "contact", mechanics.contact.force);
+  read_bare_law(table, "rolling", mechanics.contact.rolling);
   return mechanics;
 }
 

@@ -42,38 +42,35 @@ pmr::Table read_rows(Table& law, Want want) {
   return rows;
 }
 
-HeatLaw read_shomate(Table& law) {
+ConstantHeat read(Table& law, ConstantHeat) {
+  return {law.value("heat_capacity", {Dimension::heat_capacity, positive})};
+}
+
+Shomate read(Table& law, Shomate) {
   const Want coefficient{Dimension::molar_heat_capacity, any};
   const auto energy = [&](const char* key) {  // [kJ/mol], as NIST writes them
     return law.value(key, {Dimension::molar_energy, any}) * 1e-3;
   };
-  return Shomate{law.value("a", coefficient),
-                 law.value("b", coefficient),
-                 law.value("c", coefficient),
-                 law.value("d", coefficient),
-                 law.value("e", coefficient),
-                 energy("f"),
-                 energy("h"),
-                 law.value("molar_mass", {Dimension::molar_mass, positive}),
-                 law.value("minimum_temperature", a_temperature),
-                 law.value("maximum_temperature", a_temperature)};
+  return {law.value("a", coefficient),
+          law.value("b", coefficient),
+          law.value("c", coefficient),
+          law.value("d", coefficient),
+          law.value("e", coefficient),
+          energy("f"),
+          energy("h"),
+          law.value("molar_mass", {Dimension::molar_mass, positive}),
+          law.value("minimum_temperature", a_temperature),
+          law.value("maximum_temperature", a_temperature)};
 }
 
-HeatLaw read_heat(Table& law) {
-  const std::string kind = law.choice("law", {"constant", "shomate", "oxide"});
-  if (kind == "shomate") return read_shomate(law);
-  if (kind == "oxide") {
-    const Want coefficient{Dimension::molar_heat_capacity, any};
-    return OxideHeat{law.value("a", coefficient),
-                     law.value("b", coefficient),
-                     law.value("c", coefficient),
-                     law.value("d", coefficient),
-                     law.value("minimum_temperature", a_temperature),
-                     law.value("maximum_temperature", a_temperature)};
-  }
-  if (kind.empty()) law.ignore_rest();
-  if (kind != "constant") return ConstantHeat{nan};
-  return ConstantHeat{law.value("heat_capacity", {Dimension::heat_capacity, positive})};
+OxideHeat read(Table& law, OxideHeat) {
+  const Want coefficient{Dimension::molar_heat_capacity, any};
+  return {law.value("a", coefficient),
+          law.value("b", coefficient),
+          law.value("c", coefficient),
+          law.value("d", coefficient),
+          law.value("minimum_temperature", a_temperature),
+          law.value("maximum_temperature", a_temperature)};
 }
 
 Conductivity read_conductivity(Table& law) {
@@ -132,7 +129,7 @@ RedoxEquilibrium read_equilibrium(Table& law) {
 constexpr Want an_energy{Dimension::molar_energy, not_negative};
 
 // The pre-exponential is per Pa^m; UDUNITS has no broken powers, so m = 1 alone is written in Pa.
-PowerRate read_power(Table& law) {
+PowerRate read(Table& law, PowerRate) {
   PowerRate rate{};
   rate.factor = law.value("factor", {Dimension::none, not_negative});
   rate.exponent = law.value("exponent", a_positive_number);
@@ -147,17 +144,17 @@ PowerRate read_power(Table& law) {
   return rate;
 }
 
-RelaxationRate read_relaxation(Table& law) {
+RelaxationRate read(Table& law, RelaxationRate) {
   return {law.value("time", a_duration), law.value("reference_temperature", a_temperature),
           law.value("reduction_energy", an_energy), law.value("oxidation_energy", an_energy),
           law.value("shortest", a_duration)};
 }
 
-RateLaw read_rate(Table& law) {
-  const std::string kind = law.choice("law", {"power", "relaxation"});
-  if (kind.empty()) law.ignore_rest();
-  if (kind == "relaxation") return read_relaxation(law);
-  return kind == "power" ? read_power(law) : PowerRate{};
+// The law that "law" names, with its figures; else it stays what it is.
+template <class Law>
+void read_named(Table& table, Law& law) {
+  if (!choose_law(table, "law", law, [&](auto named) { law = read(table, named); }))
+    table.ignore_rest();
 }
 
 std::optional<PoreDiffusion> read_pores(Table& redox, const RateLaw& rate) {
@@ -177,7 +174,7 @@ Redox read_redox(Table& table) {
   table.need_table("rate");
   read_law(table, "equilibrium", [&](Table& law) { redox.equilibrium = read_equilibrium(law); });
   read_law(table, "rate", [&](Table& law) {
-    redox.rate = read_rate(law);
+    read_named(law, redox.rate);
     redox.rate_temperature_minimum = law.value("fit_temperature_minimum", a_temperature, 0.0);
     redox.rate_temperature_maximum = law.value("fit_temperature_maximum", a_temperature, forever);
   });
@@ -211,7 +208,7 @@ Material read_material(Reading& reading, const Node& node, const std::string& na
     material.density = table.value("density", {Dimension::density, positive}, nan);
     read_elasticity(table, material);
     material.heat = ConstantHeat{nan};
-    read_law(table, "heat", [&](Table& law) { material.heat = read_heat(law); });
+    read_law(table, "heat", [&](Table& law) { read_named(law, material.heat); });
     material.conductivity = TabulatedConductivity{constant(nan)};
     read_law(table, "conductivity",
              [&](Table& law) { material.conductivity = read_conductivity(law); });

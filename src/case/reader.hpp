@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "case/node.hpp"
@@ -132,6 +133,17 @@ void for_each_table(Table& parent, const std::string& key, const Read& read) {
     Table table(parent.reading(), member, path);
     read(table, name);
   }
+}
+
+// Calls take(A{}) for the law of a closed set, std::variant<A, B, ...>, whose name (A::name) stands
+// at `key`; false after a fault. `take` must do for each, so a law without its reader does not
+// compile.
+template <class... Law, class Take>
+bool choose_law(Table& table, const std::string& key, const std::variant<Law...>&,
+                const Take& take) {
+  const std::string chosen = table.choice(key, {Law::name...});
+  ((chosen == Law::name ? take(Law{}) : void()), ...);
+  return !chosen.empty();
 }
 
 }  // namespace pmr::casefile

@@ -150,6 +150,7 @@ std::vector<Check> mechanics_checks() {
   std::vector<Check> checks;
   check_time_step(checks);
   add_liggghts_checks(checks);
+  add_rolling_checks(checks);
   add_chung_ooi_checks(checks);
   check_bounces(checks);
   check_order(checks);

@@ -87,67 +87,6 @@ void check_oblique(const Oblique& t, std::vector<Check>& checks) {
   add(".spin", "rad/s", p.spin[0][1], t.spin_y);
 }
 
-// --- Rolling and sliding on the coated wall from 0.2 m/s, dt 2e-5 s, starting at the overlap that
-// carries the weight. LIGGGHTS winds the rolling spring in its set-up already, which saves it half
-// a step of a rolling sphere's way (2e-6 m).
-struct Ride {
-  SpeciesIndex species;
-  bool rolls_at_start;
-  double rolling_friction;  // [1]
-  double duration;          // [s]
-};
-struct Ridden {
-  double way, speed, spin;  // [m], [m/s], [rad/s]
-};
-
-Ridden ride(const Ride& t) {
-  constexpr double dt = 2e-5, speed = 0.2;
-  Case c = study_case(dt);
-  add_floor(c);
-  c.gravity = Vec3(0, 0, -9.81);
-  for (PairContact& pair : c.materials.pairs) pair.rolling_friction = t.rolling_friction;
-  const double r = radius_of(t.species);
-  const double overlap = t.species == bead ? 2.33901536e-06 : 6.86240703e-07;
-  const double spin = t.rolls_at_start ? speed / (r - 0.5 * overlap) : 0.0;
-  add_particle(c, t.species, Vec3(0, 0, r - overlap), Vec3(speed, 0, 0), Vec3(0, spin, 0));
-  Scene scene(c);
-  scene.advance(static_cast<std::uint64_t>(std::lround(t.duration / dt)));
-  const Particles& p = scene.state.particles;
-  return {p.position[0][0], p.velocity[0][0], p.spin[0][1]};
-}
-
-void check_rides(std::vector<Check>& checks) {
-  const std::string source = std::string(liggghts) + ", dt 2e-5; 0.1 %";
-  const auto add = [&](const char* id, const char* what, double measured, double expected,
-                       const char* unit) {
-    checks.push_back({id, what, measured, expected, 1e-3 * expected, unit, source});
-  };
-  const Ridden bead_rolls = ride({bead, true, 0.14, 0.5});
-  const Ridden granule_rolls = ride({granule, true, 0.14, 0.5});
-  const Ridden bead_slides = ride({bead, false, 0.0, 0.4});
-  const Ridden granule_slides = ride({granule, false, 0.0, 0.4});
-  const Ridden bead_brakes = ride({bead, false, 0.14, 0.4});
-  constexpr const char* stop = "Way of a rolling sphere until it stops";
-  constexpr const char* slide = "A sphere that starts sliding: after 0.4 s";
-  add("mechanics.roll.bead.way", stop, bead_rolls.way, 0.0203801284, "m");
-  add("mechanics.roll.granule.way", stop, granule_rolls.way, 0.0203831648, "m");
-  add("mechanics.slide.bead.way", slide, bead_slides.way, 0.0575524341508, "m");
-  add("mechanics.slide.bead.speed", slide, bead_slides.speed, 0.142793236904, "m/s");
-  add("mechanics.slide.bead.spin", slide, bead_slides.spin, 95.5886478674, "rad/s");
-  add("mechanics.slide.granule.way", slide, granule_slides.way, 0.0575048071798, "m");
-  add("mechanics.slide.granule.speed", slide, granule_slides.speed, 0.142819017728, "m/s");
-  add("mechanics.slide.granule.spin", slide, granule_slides.spin, 194.40234167, "rad/s");
-  add("mechanics.slide_and_brake.bead.way", slide, bead_brakes.way, 0.0109947650095, "m");
-
-  // v^2 / (2 5/7 mu_r g); lever arms R - d/2 and the spring's wind-up cost less than 0.2 %.
-  const double way = 0.2 * 0.2 / (2.0 * 5.0 / 7.0 * 0.14 * 9.81);
-  checks.push_back({"mechanics.roll.closed_form", stop, bead_rolls.way, way, 2e-3 * way, "m",
-                    "closed form: deceleration 5/7 mu_r g; overlap over radius 0.16 %"});
-  checks.push_back({"mechanics.slide.closed_form", "A sliding sphere ends rolling at 5/7 of v0",
-                    bead_slides.speed, 5.0 / 7.0 * 0.2, 2e-3 * 5.0 / 7.0 * 0.2, "m/s",
-                    "closed form, conservation of angular momentum; overlap over radius 0.16 %"});
-}
-
 // --- Chung & Ooi, Granular Matter 13 (2011) 643.
 void check_peak(const char* id, const char* what, const physics::HertzPair& pair, double speed,
                 Scene& scene, double dt, std::vector<Check>& checks) {
@@ -236,7 +175,6 @@ void check_incidence(std::vector<Check>& checks) {
 void add_liggghts_checks(std::vector<Check>& checks) {
   for (const HeadOn& t : head_on) check_head_on(t, checks);
   for (const Oblique& t : oblique) check_oblique(t, checks);
-  check_rides(checks);
 }
 
 void add_chung_ooi_checks(std::vector<Check>& checks) {

@@ -7,6 +7,7 @@
 namespace pmr::verify {
 
 void add_liggghts_checks(std::vector<Check>& checks);
+void add_rolling_checks(std::vector<Check>& checks);
 void add_chung_ooi_checks(std::vector<Check>& checks);
 
 }  // namespace pmr::verify

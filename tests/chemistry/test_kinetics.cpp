@@ -29,6 +29,12 @@ std::vector<Redox> laws() {
 constexpr double concentration = 1.8e4, radius = 0.735e-3;  // [mol/m3], [m]
 }  // namespace
 
+TEST_CASE("every rate law is among those that these tests try") {
+  std::vector<bool> tried(std::variant_size_v<RateLaw>, false);
+  for (const Redox& redox : laws()) tried[redox.rate.index()] = true;
+  CHECK(tried == std::vector<bool>(tried.size(), true));
+}
+
 TEST_CASE("the rate vanishes at equilibrium and has the sign of the drive") {
   for (const Redox& redox : laws()) {
     const double p = equilibrium_pressure(redox.equilibrium, 900.0, 0.33);

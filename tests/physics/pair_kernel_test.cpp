@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "physics/contact_law.hpp"
 #include "pmr/base/random.hpp"
 
 using namespace pmr;
@@ -66,12 +67,27 @@ Triple<double> at(const std::vector<double>& list, std::size_t from) {
   return {list[from], list[from + 1], list[from + 2]};
 }
 
+// Each force law with each rolling law.
+template <class... Force, class... Rolling>
+std::vector<ContactModel> all_pairs(const std::variant<Force...>*,
+                                    const std::variant<Rolling...>*) {
+  std::vector<ContactModel> all;
+  const auto add = [&](auto force) { (all.push_back({force, Rolling{}}), ...); };
+  (add(Force{}), ...);
+  return all;
+}
+std::vector<ContactModel> all_models() {
+  return all_pairs(static_cast<const ForceLaw*>(nullptr), static_cast<const RollingLaw*>(nullptr));
+}
+
 }  // namespace
 
 TEST_CASE("The pair kernel gives the law of a single pair, lane by lane") {
+  const ContactModel model = GENERATE(from_range(all_models()));
+  const SingleContact evaluate = single_contact(model);
   Crowd crowd;
   const Crowd before = crowd;
-  crowd.evaluate(pair_forces_avx2);
+  crowd.evaluate(pair_kernel_avx2(places_of(model)));
   std::size_t touching = 0;
   std::vector<double> load(8 * Crowd::spheres, 0.0);
   for (std::size_t k = 0; k < crowd.groups.size(); ++k) {
@@ -116,10 +132,11 @@ TEST_CASE("The pair kernel gives the law of a single pair, lane by lane") {
 }
 
 TEST_CASE("Four lanes and eight lanes give the same bits") {
-  if (best_pair_kernel() != pair_forces_avx512) return;  // this processor has no AVX-512
+  const LawPair laws = places_of(GENERATE(from_range(all_models())));
+  if (best_pair_kernel(laws) != pair_kernel_avx512(laws)) return;  // there is no AVX-512 here
   Crowd four, eight;
-  const ContactBook a = four.evaluate(pair_forces_avx2);
-  const ContactBook b = eight.evaluate(pair_forces_avx512);
+  const ContactBook a = four.evaluate(pair_kernel_avx2(laws));
+  const ContactBook b = eight.evaluate(pair_kernel_avx512(laws));
   CHECK(a.elastic == b.elastic);
   CHECK(a.overlap_ratio == b.overlap_ratio);
   CHECK(four.load == eight.load);

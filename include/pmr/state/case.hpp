@@ -10,6 +10,7 @@
 
 #include "pmr/base/constants.hpp"
 #include "pmr/base/vec3.hpp"
+#include "pmr/state/contact_laws.hpp"
 #include "pmr/state/materials.hpp"
 #include "pmr/state/particles.hpp"
 #include "pmr/state/walls.hpp"
@@ -137,6 +138,7 @@ struct MechanicsModel {
   double skin;                      // [1] of the smallest radius, of a bed at rest
   std::optional<double> impact_speed = std::nullopt;  // [m/s] of contacts to be resolved
   bool allows_long_step = false;                      // an explicit step above the stable range
+  ContactModel contact = {};
 };
 // The values behind the first of each are kept for comparison with other codes.
 enum class ContactConduction { batchelor_obrien, liggghts };

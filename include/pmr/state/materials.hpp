@@ -21,13 +21,17 @@ struct Provenance {
   std::string range;   // uncertainty, may be empty
 };
 
+// A law is a small value in a closed set, named as cases name it.
+
 // --- Heat capacity laws. c in J/kg/K or J/mol/K as said; chemistry/solids.hpp evaluates them.
 struct ConstantHeat {
+  static constexpr const char* name = "constant";
   double heat_capacity;  // [J/kg/K]
 };
 // NIST Shomate equation, t = T/1000: Cp = A + B t + C t2 + D t3 + E/t2 [J/mol/K],
 // h = A t + B t2/2 + C t3/3 + D t4/4 - E/t + F - H [kJ/mol], H chosen so that h(298.15 K) = 0.
 struct Shomate {
+  static constexpr const char* name = "shomate";
   double a, b, c, d, e, f, h;
   double molar_mass;                                // [kg/mol]
   double minimum_temperature, maximum_temperature;  // [K] range of the fit
@@ -36,6 +40,7 @@ struct Shomate {
 // the oxygen beyond that carries the heat capacity of O2 gas (chemistry/redox.hpp). Per mol of
 // formula units.
 struct OxideHeat {
+  static constexpr const char* name = "oxide";
   double a, b, c, d;
   double minimum_temperature, maximum_temperature;  // [K] range in which it is used as it stands
 };
@@ -74,6 +79,7 @@ struct Arrhenius {
 };
 // K1: r = factor k (p_eq^m - pO2^m) [mol O2/s/m3], k = A exp(-Ea/(R T)).
 struct PowerRate {
+  static constexpr const char* name = "power";
   double factor;                       // [1]
   Arrhenius reduction;                 // k where oxygen leaves
   double exponent;                     // m [1]
@@ -81,6 +87,7 @@ struct PowerRate {
 };
 // K2: d(delta)/dt = (delta_eq(T, pO2) - delta)/tau, tau = time exp(Ea/R (1/T - 1/reference)).
 struct RelaxationRate {
+  static constexpr const char* name = "relaxation";
   double time;                   // [s] tau at the reference temperature
   double reference_temperature;  // [K]
   double reduction_energy;       // Ea [J/mol] while delta rises ...
