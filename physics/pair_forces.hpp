@@ -80,6 +80,7 @@ template <class Force, class Rolling>
   const std::uint32_t* const i = group.i + from;
   const std::uint32_t* const j = group.j + from;
   const auto bits_of = [&](std::uint8_t b) { return (std::uint32_t{b} >> from) & all; };
+  const std::uint32_t own_i = bits_of(group.own_i), own_j = bits_of(group.own_j);
   const Lanes zero{0.0}, one{1.0}, half{0.5};
 
   Side a, b;
@@ -116,17 +117,21 @@ template <class Force, class Rolling>
   const Records force(f.force);
   const Records less_torque_i(plus(f.rolling, arm_i, f.twist));
   const Records torque_j(minus(f.rolling, arm_j, f.twist));
-  for_each_bit(touching & bits_of(group.own_i), [&](std::size_t l) {
-    double* const to = work.load + (i[l] - work.first);
-    add(to, force.of_lane[l]);
-    subtract(to + 4, less_torque_i.of_lane[l]);
+  // Pair by pair: a sphere may be i of one lane and j of another, and sums must not depend on how
+  // many lanes there are.
+  for_each_bit(touching, [&](std::size_t l) {
+    if ((own_i >> l & 1U) != 0) {
+      double* const to = work.load + (i[l] - work.first);
+      add(to, force.of_lane[l]);
+      subtract(to + 4, less_torque_i.of_lane[l]);
+    }
+    if ((own_j >> l & 1U) != 0) {
+      double* const to = work.load + (j[l] - work.first);
+      subtract(to, force.of_lane[l]);
+      add(to + 4, torque_j.of_lane[l]);
+    }
   });
-  for_each_bit(touching & bits_of(group.own_j), [&](std::size_t l) {
-    double* const to = work.load + (j[l] - work.first);
-    subtract(to, force.of_lane[l]);
-    add(to + 4, torque_j.of_lane[l]);
-  });
-  const Mask counts = touches & mask(bits_of(group.own_i));
+  const Mask counts = touches & mask(own_i);
   store(sums.elastic + from, load(sums.elastic + from) + select(counts, f.elastic, zero));
   const Lanes smaller = min(radius_i, radius_j);
   const Mask is_deepest = (overlap > sums.overlap_ratio * smaller) & touches;

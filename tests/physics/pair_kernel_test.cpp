@@ -12,7 +12,8 @@ using namespace pmr::physics;
 
 namespace {
 
-// Spheres in a crowd, every one paired with the next eight, some of which it overlaps.
+// Spheres in a crowd, every one paired with the next eight, some of which it overlaps; or with the
+// next one alone, so that most are the first of one pair and the second of another in a group.
 struct Crowd {
   static constexpr std::uint32_t spheres = 64;
   std::vector<double> sphere, kinetics, load = std::vector<double>(8 * spheres, 0.0);
@@ -34,6 +35,7 @@ struct Crowd {
       kinetics.push_back(0.0);
     }
     for (std::uint32_t i = 0; i + PairGroup::count < spheres; ++i) {
+      const bool is_chain = i % 7 == 3;
       PairGroup& g = groups.emplace_back();
       g.law = i % 2;
       g.used = i % 5 == 0 ? 0x3f : 0xff;
@@ -41,7 +43,7 @@ struct Crowd {
       g.own_i = i % 3 == 0 ? 0x0f : 0xff;
       g.own_j = 0xf7;
       for (std::uint32_t lane = 0; lane < PairGroup::count; ++lane) {
-        g.i[lane] = PairGroup::index_step * i;
+        g.i[lane] = PairGroup::index_step * (is_chain ? i + lane : i);
         g.j[lane] = PairGroup::index_step * (i + 1 + lane);
         for (int axis = 0; axis < 3; ++axis) {
           g.tangential[axis][lane] = between(-1e-6, 1e-6);
