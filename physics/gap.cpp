@@ -45,13 +45,21 @@ struct Lens {
   bool faces_wall;
 };
 
+double cell_radius(double radius, double solid_fraction) {
+  return 0.560 * radius / std::cbrt(solid_fraction);
+}
+
+double rim(double radius, double cell, double to_radical_plane) {
+  return radius * cell / std::hypot(cell, to_radical_plane);
+}
+
 Lens lens_of(const GapPair& pair) {
   const auto [R1, R2] = std::minmax(pair.radius_1, pair.radius_2);
   const double d = pair.distance;
   const bool faces_wall = std::isinf(R2);
   const double D1 = faces_wall ? d : (R1 * R1 - R2 * R2 + d * d) / (2.0 * d);
-  const double r_ij = 0.560 * R1 / std::cbrt(pair.solid_fraction);
-  const double r_sf = R1 * r_ij / std::hypot(r_ij, D1);
+  const double r_ij = cell_radius(R1, pair.solid_fraction);
+  const double r_sf = rim(R1, r_ij, D1);
   const double slope2 = faces_wall ? 0.0 : std::sqrt(R2 * R2 - r_sf * r_sf) / r_sf;
   return {R1, R2, d, D1 / r_ij, slope2, r_sf, faces_wall};
 }
@@ -69,6 +77,10 @@ double lens_scale(const Lens& lens, double per_k1, double per_k2, double jump) {
 double true_distance(double radius_1, double radius_2, double soft_distance) {
   const double touching = std::isinf(radius_2) ? radius_1 : radius_1 + radius_2;
   return std::max(touching, soft_distance);
+}
+
+double wall_lens_radius(double radius, double distance, double solid_fraction) {
+  return rim(radius, cell_radius(radius, solid_fraction), distance);
 }
 
 double gap_conductance(const GapPair& pair, const GapMedium& medium) {

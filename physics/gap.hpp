@@ -8,8 +8,8 @@
 // Plane wall: D1 = d, and the wall's face is one temperature, so it has no term of its own (the
 // wall's 1-D profile follows behind it): an upper bound for walls that conduct badly.
 // Quadrature: 8 Gauss-Legendre points in a variable that crowds them where the lens is thin; its
-// error stays below 1e-5 for k_s/k_f of 5-1600, g of 1e-5-10 R, gaps to R/2 (conduction tests).
-// 100 ns a call: no table is needed.
+// error stays below 1e-5 for k_s/k_f of 5-1600, g of 1e-5-10 R, gaps to R between spheres and to 3
+// R at walls (conduction tests). 100 ns a call: no table is needed.
 #pragma once
 #include <limits>
 
@@ -32,6 +32,13 @@ struct GapMedium {
 // The softened contact lets spheres overlap far more than real ones: spheres that touch count as
 // just touching, R1 + R2 (to a wall: R1), the true overlap being below 1e-3 of that of the model.
 double true_distance(double radius_1, double radius_2, double soft_distance);  // [m]
+
+// Gaps to walls conduct up to this width [1] of the sphere's radius: there H is 0.028 k_f R or
+// less, about a thousandth of what it is at touch.
+inline constexpr double wall_gap_reach = 3.0;
+
+// r_sf [m] of a sphere whose centre is `distance` [m] from a wall.
+double wall_lens_radius(double radius, double distance, double solid_fraction);
 
 double gap_conductance(const GapPair& pair, const GapMedium& medium);  // H [W/K]
 

@@ -8,10 +8,9 @@
 namespace pmr::physics {
 namespace {
 
-// Distance below which a point counts as lying on a surface [1] of the sphere's radius.
-constexpr double on_surface = 1e-6;
-// Springs pass between contacts whose normals differ by less than 60 degrees: cosine [1].
-constexpr double similar_normal = 0.5;
+// Springs pass between contacts whose normals differ by less than what tells two surfaces apart, 25
+// degrees: cosine [1].
+constexpr double similar_normal = 0.9063077870366499;
 // Particles that are tested against the walls together; neighbours in space [particles].
 constexpr std::uint32_t group_size = 16;
 // A list is to last this many sub-steps [1], with a skin of at most this many thinnest ones [1].
@@ -173,66 +172,54 @@ ContactBook WallContacts::add_forces(std::size_t b, const Spheres& spheres, doub
   return book;
 }
 
-// Surfaces that the sphere overlaps, deepest first, equal ones by their index.
-WallContacts::Meetings WallContacts::meet(List& list, const Row& row, const Sphere& sphere) const {
-  Meetings m;
+// Contacts of the sphere, deepest first.
+void WallContacts::meet(List& list, const Row& row, const Sphere& sphere) const {
+  list.met.clear();
   for (std::uint32_t s = row.first; s < row.last; ++s) {
     Slot& slot = list.slots[s];
     if (list.gone < slot.wake || !present_[slot.surface]) continue;
     const Vec3 point = nearest(list, slot, sphere.position);
-    const Vec3 d = sphere.position - point;
+    const Vec3 d = point - sphere.position;
     const double distance = d.norm();
     slot.wake = list.gone + rounding * (distance - sphere.radius);
     if (distance >= sphere.radius || distance == 0.0) continue;
-    const Meeting met{&slot, point, d / distance, sphere.radius - distance};
-    if (m.count == most_meetings && m.list[m.count - 1].overlap >= met.overlap) continue;
-    std::size_t k = m.count < most_meetings ? m.count++ : most_meetings - 1;
-    for (; k > 0 && m.list[k - 1].overlap < met.overlap; --k) m.list[k] = m.list[k - 1];
-    m.list[k] = met;
+    list.met.push_back({slot.surface, s, point, d / distance, distance});
   }
-  return m;
+  keep_one_per_surface(list.met, sphere.radius, [&](const Foot& foot, const Vec3& q) {
+    return (nearest(list, list.slots[foot.place], q) - q).norm();
+  });
 }
 
-// Keeps a meeting only if its point lies on none of the deeper ones' surfaces.
-void WallContacts::drop_shared(const List& list, Meetings& m, double radius) const {
-  std::size_t kept = 1;
-  for (std::size_t k = 1; k < m.count; ++k) {
-    bool is_shared = false;
-    for (std::size_t a = 0; a < kept && !is_shared; ++a) {
-      const Vec3& q = m.list[k].point;
-      is_shared = (nearest(list, *m.list[a].slot, q) - q).norm() <= on_surface * radius;
-    }
-    if (!is_shared) m.list[kept++] = m.list[k];
-  }
-  m.count = std::min(m.count, kept);
-}
-
-// Springs of a contact of the same body that ends now under a similar normal, else loose ones.
-Springs<double> WallContacts::inherited(List& list, const Row& row, const Meeting& fresh,
+// Springs of the contact that ends now under the most similar normal, else loose ones.
+Springs<double> WallContacts::inherited(List& list, const Row& row, const Foot& fresh,
                                         const Sphere& sphere) const {
-  const auto body = [&](const Slot& slot) { return case_.walls.surfaces[slot.surface].body; };
+  Slot* heir_of = nullptr;
+  double closest = similar_normal;
   for (std::uint32_t s = row.first; s < row.last; ++s) {
     Slot& slot = list.slots[s];
-    if (!slot.touches || slot.touches_now || body(slot) != body(*fresh.slot)) continue;
-    const Vec3 away = sphere.position - nearest(list, slot, sphere.position);
-    if (away.dot(fresh.n) <= similar_normal * away.norm()) continue;
-    slot.touches = false;
-    return slot.springs;
+    if (!slot.touches || slot.touches_now) continue;
+    const Vec3 towards = nearest(list, slot, sphere.position) - sphere.position;
+    const double similarity = towards.dot(fresh.towards) / towards.norm();
+    if (!(similarity > closest)) continue;
+    heir_of = &slot;
+    closest = similarity;
   }
-  return {};
+  if (heir_of == nullptr) return {};
+  heir_of->touches = false;
+  return heir_of->springs;
 }
 
 void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt,
                                  Load& load, ContactBook& book) const {
   const Sphere& sphere = spheres.sphere[row.particle];
-  Meetings m = meet(list, row, sphere);
-  if (m.count > 1) drop_shared(list, m, sphere.radius);
-  for (std::size_t k = 0; k < m.count; ++k) m.list[k].slot->touches_now = true;
-  for (std::size_t k = 0; k < m.count; ++k) {
-    Slot& slot = *m.list[k].slot;
-    if (!slot.touches) slot.springs = inherited(list, row, m.list[k], sphere);
+  meet(list, row, sphere);
+  for (const Foot& met : list.met) list.slots[met.place].touches_now = true;
+  for (const Foot& met : list.met) {
+    Slot& slot = list.slots[met.place];
+    if (!slot.touches) slot.springs = inherited(list, row, met, sphere);
   }
-  for (std::size_t k = 0; k < m.count; ++k) push(spheres, row.particle, m.list[k], dt, load, book);
+  for (const Foot& met : list.met)
+    push(spheres, row.particle, met, dt, list.slots[met.place].springs, load, book);
   for (std::uint32_t s = row.first; s < row.last; ++s) {
     Slot& slot = list.slots[s];
     slot.touches = slot.touches_now;
@@ -240,29 +227,31 @@ void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& sphe
   }
 }
 
-void WallContacts::push(const Spheres& spheres, std::size_t i, const Meeting& met, double dt,
-                        Load& load, ContactBook& book) const {
+void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, double dt,
+                        Springs<double>& springs, Load& load, ContactBook& book) const {
   const Sphere& sphere = spheres.sphere[i];
   const Kinetics& u = spheres.kinetics[i];
-  const Surface& surface = case_.walls.surfaces[met.slot->surface];
+  const Surface& surface = case_.walls.surfaces[met.surface];
   const Pose& wall = pose_[surface.body];
-  const double arm = sphere.radius - 0.5 * met.overlap;
-  const Touch<double> touch{triple(met.n),
-                            met.overlap,
+  const double overlap = sphere.radius - met.distance;
+  const double arm = sphere.radius - 0.5 * overlap;
+  const Touch<double> touch{triple(-met.towards),
+                            overlap,
                             triple(u.velocity - wall.velocity_at(met.point)),
                             triple(arm * u.spin),
                             triple(u.spin - wall.spin),
-                            arm / (sphere.radius - met.overlap),
+                            arm / met.distance,
                             sphere.radius,
                             1.0 / u.inverse_mass};
   const ContactForce<double> f = laws_.evaluate(
-      laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, met.slot->springs);
-  load.force += vec3(f.force);
-  load.torque -= vec3(arm * f.twist + f.rolling);
-  book.elastic += f.elastic;
+      laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, springs);
+  load.force += met.share * vec3(f.force);
+  load.torque -= met.share * vec3(arm * f.twist + f.rolling);
+  book.elastic += met.share * f.elastic;
   book.wall_work +=
-      dt * (vec3(f.force).dot(wall.velocity_at(met.point)) - vec3(f.rolling).dot(wall.spin));
-  book.overlap_ratio = std::max(book.overlap_ratio, met.overlap / sphere.radius);
+      dt * met.share *
+      (vec3(f.force).dot(wall.velocity_at(met.point)) - vec3(f.rolling).dot(wall.spin));
+  book.overlap_ratio = std::max(book.overlap_ratio, overlap / sphere.radius);
 }
 
 }  // namespace pmr::physics

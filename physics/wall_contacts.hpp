@@ -9,17 +9,18 @@
 #include "physics/motion.hpp"
 #include "physics/pair_kernel.hpp"
 #include "physics/spheres.hpp"
+#include "physics/wall_feet.hpp"
 #include "physics/wall_tree.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/contacts.hpp"
 
 namespace pmr::physics {
 
-// A sphere has one contact with each surface it overlaps, at the surface's nearest point, except
-// that a point which also lies on a surface with a deeper contact counts only there: over the
-// shared edge of flat or convex surfaces there is one contact, in a concave corner one per side.
-// Springs are kept by surface; a contact that is new takes over the springs of a contact of the
-// same body that ends in the same step under a similar normal, so they follow across triangles.
+// A sphere has one contact with each surface it overlaps, at the surface's nearest point; what is
+// one surface, wall_feet.hpp says: the facets of a mesh, patches side by side and surfaces that lie
+// on each other are one, the sides of a concave corner are two. Springs are kept by surface; a
+// contact that is new takes over the springs of one that ends in the same step under nearly the
+// same normal, so they follow over triangles, patches and bodies.
 //
 // Each block of particles lists the surfaces near its particles and renews the list by itself when
 // it or a wall has moved by the list's skin; a surface that was far off at the last look is not
@@ -67,35 +68,22 @@ class WallContacts {
     std::vector<Row> rows;  // particles near walls, ascending
     std::vector<Slot> slots;
     std::vector<std::uint32_t> triangles;
-    double skin = 0.0;  // [m]
-    double gone = 0.0;  // [m] bound on the way of any particle towards any wall since
+    double skin = 0.0;      // [m]
+    double gone = 0.0;      // [m] bound on the way of any particle towards any wall since
+    std::vector<Foot> met;  // scratch: contacts of one sphere, their slots as places
   };
-  // One surface as a sphere meets it.
-  struct Meeting {
-    Slot* slot;
-    Vec3 point;      // [m] nearest point of the surface
-    Vec3 n;          // [1] from it to the centre
-    double overlap;  // [m]
-  };
-  static constexpr std::size_t most_meetings = 32;  // surfaces that one sphere can touch at once
-  struct Meetings {
-    Meeting list[most_meetings];
-    std::size_t count = 0;
-  };
-
   void relist(List& list, const Spheres& spheres, double skin);
   void list_row(List& list, const Spheres& spheres, std::uint32_t i,
                 std::span<const WallPart> near);
   double distance_to(const WallPart& part, const Vec3& x, double reach) const;
   Vec3 nearest(const List& list, const Slot& slot, const Vec3& x) const;
-  Meetings meet(List& list, const Row& row, const Sphere& sphere) const;
-  void drop_shared(const List& list, Meetings& meetings, double radius) const;
-  Springs<double> inherited(List& list, const Row& row, const Meeting& fresh,
+  void meet(List& list, const Row& row, const Sphere& sphere) const;
+  Springs<double> inherited(List& list, const Row& row, const Foot& fresh,
                             const Sphere& sphere) const;
   void add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt, Load& load,
                      ContactBook& book) const;
-  void push(const Spheres& spheres, std::size_t i, const Meeting& met, double dt, Load& load,
-            ContactBook& book) const;
+  void push(const Spheres& spheres, std::size_t i, const Foot& met, double dt,
+            Springs<double>& springs, Load& load, ContactBook& book) const;
 
   const Case& case_;
   ContactLaws laws_;

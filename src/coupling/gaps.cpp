@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/gap.hpp"
 #include "physics/motion.hpp"
 #include "physics/neighbours.hpp"
+#include "physics/wall_feet.hpp"
 #include "pmr/base/parallel.hpp"
 
 namespace pmr::coupling {
@@ -14,58 +16,50 @@ void find_between_particles(const Nodes& nodes, const Particles& p, double reach
                             std::vector<Gap>& gaps) {
   for (const auto& pair : physics::pairs_within(p, reach)) {
     const Node i = nodes.particle(p.id[pair.i]), j = nodes.particle(p.id[pair.j]);
-    gaps.push_back(i < j ? Gap{i, j, pair.i, pair.j, pair.gap}
-                         : Gap{j, i, pair.j, pair.i, pair.gap});
+    gaps.push_back(i < j ? Gap{i, j, pair.i, pair.j, pair.gap, 1.0}
+                         : Gap{j, i, pair.j, pair.i, pair.gap, 1.0});
   }
 }
 
-// Where a particle comes near a wall.
-struct Foot {
-  std::size_t surface;
-  Vec3 world, body;  // [m] nearest point of the surface, in the frames of the world and its body
-  double distance;   // [m] from the particle's centre
+struct WallGap {
+  Gap gap;
+  Vec3 towards;   // [1] from the particle to the wall
+  double lens;    // [m] radius of the lens of gas between them
+  bool is_close;  // as near as neighbours are, so that nothing fits between
+  bool is_hidden = false;
 };
 
-std::vector<Foot> feet_of(const Case& c, const State& state, const Vec3& centre, double reach) {
-  std::vector<Foot> feet;
-  for (std::size_t s = 0; s < c.walls.surfaces.size(); ++s) {
-    const Surface& surface = c.walls.surfaces[s];
-    if (!surface.holds_particles || !is_present(surface, state.time)) continue;
-    const physics::Pose pose = physics::pose(c.walls.bodies[surface.body].motion, state.time);
-    const Vec3 x = pose.to_body(centre);
-    if (physics::is_surely_beyond(surface.shape, x, reach)) continue;
-    const Vec3 foot = physics::closest_point(surface.shape, x);
-    const double distance = (x - foot).norm();
-    if (distance < reach) feet.push_back({s, pose.to_world(foot), foot, distance});
-  }
-  std::stable_sort(feet.begin(), feet.end(),
-                   [](const Foot& a, const Foot& b) { return a.distance < b.distance; });
-  return feet;
-}
-
-// A foot that lies on a nearer foot's surface is an edge the two share: one link, not two.
-bool is_shared_edge(const Case& c, const State& state, const std::vector<Foot>& nearer,
-                    const Foot& foot, double radius) {
-  return std::any_of(nearer.begin(), nearer.end(), [&](const Foot& other) {
-    const Surface& surface = c.walls.surfaces[other.surface];
-    const physics::Pose pose = physics::pose(c.walls.bodies[surface.body].motion, state.time);
-    const Vec3 x = pose.to_body(foot.world);
-    return (physics::closest_point(surface.shape, x) - x).norm() < 1e-6 * radius;
-  });
-}
-
-void find_at_walls(const Case& c, const Nodes& nodes, const State& state, double reach,
-                   std::size_t i, std::vector<Gap>& found) {
+void find_at_walls(const Case& c, const Nodes& nodes, const State& state,
+                   const physics::WallFeet& walls, std::size_t i, std::vector<WallGap>& found) {
   const Particles& p = state.particles;
-  std::vector<Foot> accepted;
-  for (const Foot& foot : feet_of(c, state, p.position[i], p.radius[i] * (1.0 + reach))) {
-    if (is_shared_edge(c, state, accepted, foot, p.radius[i])) continue;
-    accepted.push_back(foot);
+  const ConductionModel& model = *c.models.conduction;
+  const double radius = p.radius[i], close = model.gap ? model.gap_reach : 0.0;
+  const double reach = model.gap ? std::max(close, physics::wall_gap_reach) : 0.0;
+  for (const auto& foot : walls.near(p.position[i], radius, radius * (1.0 + reach))) {
     const Surface& surface = c.walls.surfaces[foot.surface];
     if (std::holds_alternative<Adiabatic>(surface.thermal)) continue;
-    const std::uint32_t patch = nodes.first_patch[foot.surface] + patch_at(surface, foot.body);
-    found.push_back({nodes.particle(p.id[i]), nodes.patch(patch), static_cast<std::uint32_t>(i),
-                     patch, foot.distance - p.radius[i]});
+    const std::uint32_t patch =
+        nodes.first_patch[foot.surface] + patch_at(surface, walls.in_body(foot));
+    const double width = foot.distance - radius;
+    found.push_back({{nodes.particle(p.id[i]), nodes.patch(patch), static_cast<std::uint32_t>(i),
+                      patch, width, foot.share},
+                     foot.towards,
+                     physics::wall_lens_radius(radius, foot.distance, model.bed_solid_fraction),
+                     width <= close * radius});
+  }
+}
+
+// A wall farther off than neighbours are is hidden from a particle by any neighbour that reaches
+// into the lens of gas between them.
+void hide_walls(const Particles& p, std::uint32_t i, std::uint32_t neighbour,
+                std::vector<WallGap>& at_walls) {
+  const Vec3 way = p.position[neighbour] - p.position[i];
+  for (WallGap& wall : at_walls) {
+    const double along = way.dot(wall.towards);
+    const bool is_between = along > 0.0 && along < wall.gap.width + p.radius[i];
+    const double aside = (way - along * wall.towards).norm();
+    if (!wall.is_close && is_between && aside < wall.lens + p.radius[neighbour])
+      wall.is_hidden = true;
   }
 }
 
@@ -75,14 +69,23 @@ Gaps find_gaps(const Case& c, const Nodes& nodes, const State& state) {
   Gaps gaps;
   gaps.found_at = state.time;
   if (!c.models.conduction) return gaps;
+  const Particles& p = state.particles;
   const double reach = c.models.conduction->gap ? c.models.conduction->gap_reach : 0.0;
-  find_between_particles(nodes, state.particles, reach, gaps.all);
-  std::vector<std::vector<Gap>> found(state.particles.size());
+  find_between_particles(nodes, p, reach, gaps.all);
+  const physics::WallFeet walls(c.walls, state.time);
+  std::vector<std::vector<WallGap>> found(p.size());
   parallel_for(found.size(),
-               [&](std::size_t i) { find_at_walls(c, nodes, state, reach, i, found[i]); });
-  for (const auto& row : found) gaps.all.insert(gaps.all.end(), row.begin(), row.end());
+               [&](std::size_t i) { find_at_walls(c, nodes, state, walls, i, found[i]); });
+  for (const Gap& pair : gaps.all) {
+    if (!found[pair.particle].empty())
+      hide_walls(p, pair.particle, pair.other, found[pair.particle]);
+    if (!found[pair.other].empty()) hide_walls(p, pair.other, pair.particle, found[pair.other]);
+  }
+  for (const auto& row : found)
+    for (const WallGap& wall : row)
+      if (!wall.is_hidden) gaps.all.push_back(wall.gap);
   std::sort(gaps.all.begin(), gaps.all.end(),
-            [](const Gap& p, const Gap& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+            [](const Gap& a, const Gap& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
   return gaps;
 }
 

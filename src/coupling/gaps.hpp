@@ -15,6 +15,7 @@ struct Gap {
   std::uint32_t particle;  // index of a
   std::uint32_t other;     // index of the particle b, or of the patch
   double width;            // [m] between the surfaces, negative: the soft overlap
+  double share;            // [1] of the conductance of such a gap (physics/wall_feet.hpp)
 };
 
 struct Gaps {
@@ -23,7 +24,7 @@ struct Gaps {
 };
 
 // All gaps narrower than the conduction model's reach; none without that model. One gap where there
-// is one surface: not two at an edge that two facets share.
+// is one surface, however many facets it has.
 Gaps find_gaps(const Case& c, const Nodes& nodes, const State& state);
 
 // True if no wall has come, gone or moved since the gaps were found; particles are the caller's.

@@ -135,6 +135,8 @@ std::vector<HeatLink> link_gaps(const Context& context, const Nodes& nodes, cons
     const Gap& gap = gaps.all[k];
     links[k] = link(context, context.around(nodes.particle(p.id[gap.particle])),
                     side_of(context, p, gap.particle), other_side(gap), gap.width);
+    links[k].contact *= gap.share;
+    links[k].gap *= gap.share;
     links[k].a = gap.a;
     links[k].b = gap.b;
   });

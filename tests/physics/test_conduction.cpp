@@ -88,7 +88,8 @@ TEST_CASE("the gap's quadrature is within 1e-5 of the integral") {
   for (int i = 0; i < 2000; ++i) {
     const double R2 = radii[random.bits() % 4];
     const bool wall = std::isinf(R2), touching = random.uniform() < 0.5;
-    const double h = touching ? 0.0 : 0.5 * std::min(1.0, R2) * std::pow(10, -4 * random.uniform());
+    const double widest = wall ? wall_gap_reach : 0.5 * std::min(1.0, R2);  // of a half gap, if not
+    const double h = touching ? 0.0 : widest * std::pow(10, -4 * random.uniform());
     const double r_c = touching ? std::pow(10.0, -4.0 + 2.3 * random.uniform()) : 0.0;
     const GapPair pair{1.0, R2, (wall ? 1.0 : 1.0 + R2) + h * (wall ? 1.0 : 2.0), r_c, 0.6};
     const GapMedium medium{std::pow(10.0, 0.7 + 2.5 * random.uniform()),
