@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "case/csv_text.hpp"
 #include "case/nearest.hpp"
+#include "pmr/base/text.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -34,53 +34,59 @@ class Sheet {
   Sheet(Reading& reading, std::string file, std::vector<NumberColumn> known)
       : reading_(reading), file_(std::move(file)), known_(std::move(known)) {}
 
-  void read_header(const std::string& line) {
-    for (const std::string& cell : cells_of(line)) columns_.push_back(read_column(cell));
+  void read_header(const CsvLine& line) {
+    header_ = line.number;
+    for (const std::string& cell : cells_of(line.text)) {
+      Column column = read_column(cell);
+      if (has(column.name)) fault(header_, column.name, "the column stands twice");
+      columns_.push_back(std::move(column));
+    }
   }
 
   void require(std::initializer_list<const char*> names) {
     for (const char* name : names)
-      if (std::none_of(columns_.begin(), columns_.end(),
-                       [&](const Column& column) { return column.name == name; }))
-        fault(1, name, "the column is missing");
+      if (!has(name)) fault(header_, name, "the column is missing");
   }
 
-  ExplicitParticle read_row(unsigned line_number, const std::string& line,
-                            std::span<const Species> species) {
-    const std::vector<std::string> cells = row_of(line_number, line);
+  ExplicitParticle read_row(const CsvLine& line, std::span<const Species> species) {
+    const std::vector<std::string> cells = row_of(line);
     ExplicitParticle particle{0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), {}, {}};
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (columns_[k].name == "species")
         particle.species =
-            species_index(reading_, {file_, line_number, 1}, "species", cells[k], species);
+            species_index(reading_, {file_, line.number, 1}, "species", cells[k], species);
       else
-        store(particle, columns_[k].name, read_number(line_number, columns_[k], cells[k]));
+        store(particle, columns_[k].name, read_number(line.number, columns_[k], cells[k]));
     }
     return particle;
   }
 
   // The numbers of a row, each to its column in the order of the known ones.
-  void read_numbers(unsigned line_number, const std::string& line,
-                    std::vector<std::vector<double>>& columns) {
-    const std::vector<std::string> cells = row_of(line_number, line);
+  void read_numbers(const CsvLine& line, std::vector<std::vector<double>>& columns) {
+    const std::vector<std::string> cells = row_of(line);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const auto at = find(columns_[k].name) - known_.begin();
       columns[static_cast<std::size_t>(at)].push_back(
-          read_number(line_number, columns_[k], cells[k]));
+          read_number(line.number, columns_[k], cells[k]));
     }
   }
 
  private:
+  bool has(const std::string& name) const {
+    return std::any_of(columns_.begin(), columns_.end(),
+                       [&](const Column& column) { return column.name == name; });
+  }
+
   std::vector<NumberColumn>::const_iterator find(const std::string& name) const {
     return std::find_if(known_.begin(), known_.end(),
                         [&](const NumberColumn& column) { return column.name == name; });
   }
 
   // As many cells as the header has, or none after a fault.
-  std::vector<std::string> row_of(unsigned line_number, const std::string& line) {
-    std::vector<std::string> cells = cells_of(line);
+  std::vector<std::string> row_of(const CsvLine& line) {
+    std::vector<std::string> cells = cells_of(line.text);
     if (cells.size() == columns_.size()) return cells;
-    fault(line_number, "",
+    fault(line.number, "",
           fmt::format("has {} cells; the header has {}", cells.size(), columns_.size()));
     return {};
   }
@@ -96,23 +102,18 @@ class Sheet {
     if (known == known_.end()) {
       std::vector<std::string> names;
       for (const NumberColumn& one : known_) names.push_back(one.name);
-      fault(1, column.name, unknown_word("column", column.name, names));
+      fault(header_, column.name, unknown_word("column", column.name, names));
       return column;
     }
     const Dimension dimension = known->dimension;
     if (dimension == Dimension::none && !heading.unit) return column;
     if (!heading.unit) {
-      fault(1, column.name, "has no unit; wanted such as 'x [mm]'");
+      fault(header_, column.name, "has no unit; wanted such as 'x [mm]'");
       return column;
     }
-    const Quantities ends = reading_.units.parse("0 1 " + *heading.unit, dimension);
-    if (!ends.problem.empty()) {
-      fault(1, column.name, ends.problem);
-      return column;
-    }
-    column.offset = ends.values[0];
-    column.factor = ends.values[1] - ends.values[0];
-    return column;
+    const Scale scale = reading_.units.scale(*heading.unit, dimension);
+    if (!scale.problem.empty()) fault(header_, column.name, scale.problem);
+    return {column.name, scale.offset, scale.factor};
   }
 
   double read_number(unsigned line, const Column& column, const std::string& cell) {
@@ -142,7 +143,16 @@ class Sheet {
   std::string file_;
   std::vector<NumberColumn> known_;
   std::vector<Column> columns_;  // of the file
+  unsigned header_ = 1;          // [1] its line
 };
+
+// The lines of a file, its header first; none after a fault.
+std::vector<CsvLine> lines_of(Reading& reading, const std::filesystem::path& file) {
+  auto lines = csv_lines(file);
+  if (!lines || lines->empty())
+    reading.fault({file.string()}, "", lines ? "is empty" : "cannot be read");
+  return lines ? *std::move(lines) : std::vector<CsvLine>{};
+}
 
 }  // namespace
 
@@ -161,36 +171,28 @@ std::vector<ExplicitParticle> read_particles_csv(Reading& reading,
                                                  const std::filesystem::path& file,
                                                  std::span<const Species> species) {
   std::vector<ExplicitParticle> particles;
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line)) {
-    reading.fault({file.string()}, "", "cannot be read, or is empty");
-    return particles;
-  }
+  const std::vector<CsvLine> lines = lines_of(reading, file);
+  if (lines.empty()) return particles;
   Sheet sheet(reading, file.string(), particle_columns);
   const std::size_t before = reading.faults();
-  sheet.read_header(line);
+  sheet.read_header(lines.front());
   sheet.require({"species", "x", "y", "z"});
   if (reading.faults() != before) return particles;
-  for (unsigned number = 2; std::getline(in, line); ++number)
-    if (!trimmed(line).empty()) particles.push_back(sheet.read_row(number, line, species));
+  for (std::size_t k = 1; k < lines.size(); ++k)
+    particles.push_back(sheet.read_row(lines[k], species));
   return particles;
 }
 
 std::optional<std::vector<std::vector<double>>> read_number_csv(
     Reading& reading, const std::filesystem::path& file, const std::vector<NumberColumn>& wanted) {
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line)) {
-    reading.fault({file.string()}, "", "cannot be read, or is empty");
-    return std::nullopt;
-  }
-  Sheet sheet(reading, file.string(), wanted);
   const std::size_t before = reading.faults();
-  sheet.read_header(line);
+  const std::vector<CsvLine> lines = lines_of(reading, file);
+  if (lines.empty()) return std::nullopt;
+  Sheet sheet(reading, file.string(), wanted);
+  sheet.read_header(lines.front());
   std::vector<std::vector<double>> columns(wanted.size());
-  for (unsigned number = 2; reading.faults() == before && std::getline(in, line); ++number)
-    if (!trimmed(line).empty()) sheet.read_numbers(number, line, columns);
+  for (std::size_t k = 1; reading.faults() == before && k < lines.size(); ++k)
+    sheet.read_numbers(lines[k], columns);
   if (reading.faults() != before) return std::nullopt;
   return columns;
 }

@@ -1,14 +1,22 @@
 #include "case/csv_text.hpp"
 
-#include <charconv>
-#include <cmath>
+#include <fstream>
+
+#include "pmr/base/text.hpp"
 
 namespace pmr::casefile {
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+std::optional<std::vector<CsvLine>> csv_lines(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) return std::nullopt;
+  skip_byte_order_mark(in);
+  std::vector<CsvLine> lines;
+  unsigned number = 0;
+  for (std::string text; next_line(in, text);) {
+    ++number;
+    if (!trimmed(text).empty() && text.front() != '#') lines.push_back({number, text});
+  }
+  return lines;
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -16,24 +24,16 @@ std::vector<std::string> cells_of(const std::string& line) {
   std::size_t begin = 0;
   for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1) {
     comma = line.find(',', begin);
-    cells.push_back(trimmed(line.substr(begin, comma - begin)));
+    cells.emplace_back(trimmed(std::string_view(line).substr(begin, comma - begin)));
   }
   return cells;
 }
 
-std::optional<double> finite_number(const std::string& cell) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  const bool is_whole_cell = error == std::errc{} && end == cell.data() + cell.size();
-  return is_whole_cell && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
 Heading heading_of(const std::string& cell) {
-  const std::size_t bracket = cell.find('['), end = cell.find(']');
-  Heading heading{trimmed(cell.substr(0, bracket)), std::nullopt};
-  if (bracket != std::string::npos && end != std::string::npos && end > bracket)
-    heading.unit = cell.substr(bracket + 1, end - bracket - 1);
-  return heading;
+  const std::size_t bracket = cell.find('[');
+  if (bracket == std::string::npos || cell.back() != ']') return {cell, std::nullopt};
+  return {std::string(trimmed(std::string_view(cell).substr(0, bracket))),
+          cell.substr(bracket + 1, cell.size() - bracket - 2)};
 }
 
 }  // namespace pmr::casefile

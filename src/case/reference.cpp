@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "case/csv_text.hpp"
 #include "case/nearest.hpp"
 #include "pmr/base/constants.hpp"
+#include "pmr/base/text.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -18,35 +18,19 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::vector<std::string> known_columns{"layer",        "azimuth", "mass_ratio", "bead_mass",
                                              "granule_mass", "beads",   "granules"};
 
-struct Line {
-  unsigned number;  // [1] from 1
-  std::string text;
-};
-
-// Without empty ones and comments.
-std::vector<Line> lines_of(std::istream& in) {
-  std::vector<Line> lines;
-  unsigned number = 0;
-  for (std::string text; std::getline(in, text);) {
-    ++number;
-    if (!trimmed(text).empty() && text.front() != '#') lines.push_back({number, text});
-  }
-  return lines;
-}
-
 class ReferenceSheet {
  public:
   ReferenceSheet(Reading& reading, std::string file, const Decomposition& tool)
       : reading_(reading), file_(std::move(file)), tool_(tool) {}
 
-  void read_header(const Line& header) {
+  void read_header(const CsvLine& header) {
     const auto& [line, text] = header;
     for (const std::string& cell : cells_of(text)) read_column(line, heading_of(cell));
     for (const char* name : {"layer", "mass_ratio"})
       if (!has(name)) fault(line, name, "the column is missing");
   }
 
-  void read_row(const Line& row) {
+  void read_row(const CsvLine& row) {
     const auto& [line, text] = row;
     const std::vector<std::string> cells = cells_of(text);
     if (cells.size() != columns_.size())
@@ -98,13 +82,16 @@ class ReferenceSheet {
     if (has(heading.name)) fault(line, heading.name, "the column stands twice");
     columns_.push_back(heading.name);
     if (heading.name == "azimuth") read_angle_unit(line, heading);
+    const bool is_number = heading.name == "layer" || heading.name == "mass_ratio";
+    if (is_number && heading.unit.value_or("1") != "1")
+      fault(line, heading.name, fmt::format("is in '{}'; wanted bare numbers", *heading.unit));
   }
 
   void read_angle_unit(unsigned line, const Heading& heading) {
     if (!heading.unit) return fault(line, "azimuth", "has no unit; wanted 'azimuth [deg]'");
-    const Quantities unit = reading_.units.parse("1 " + *heading.unit, Dimension::angle);
-    if (!unit.problem.empty()) return fault(line, "azimuth", unit.problem);
-    angle_unit_ = unit.values.front();
+    const Scale scale = reading_.units.scale(*heading.unit, Dimension::angle);
+    if (!scale.problem.empty()) return fault(line, "azimuth", scale.problem);
+    angle_unit_ = scale.factor;
   }
 
   std::optional<std::size_t> read_layer(unsigned line, const std::string& cell) {
@@ -163,18 +150,17 @@ class ReferenceSheet {
 std::optional<MixtureReference> read_reference_csv(Reading& reading,
                                                    const std::filesystem::path& file,
                                                    const Decomposition& tool) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) {
+  const auto lines = csv_lines(file);
+  if (!lines) {
     reading.fault({file.string()}, "", "cannot be read; wanted a CSV file of mass ratios");
     return std::nullopt;
   }
   ReferenceSheet sheet(reading, file.string(), tool);
   const std::size_t before = reading.faults();
-  const std::vector<Line> lines = lines_of(in);
-  if (lines.empty()) reading.fault({file.string()}, "", "is empty; wanted 'layer, mass_ratio'");
-  if (!lines.empty()) sheet.read_header(lines.front());
+  if (lines->empty()) reading.fault({file.string()}, "", "is empty; wanted 'layer, mass_ratio'");
+  if (!lines->empty()) sheet.read_header(lines->front());
   if (reading.faults() != before) return std::nullopt;
-  for (std::size_t k = 1; k < lines.size(); ++k) sheet.read_row(lines[k]);
+  for (std::size_t k = 1; k < lines->size(); ++k) sheet.read_row((*lines)[k]);
   if (reading.faults() != before) return std::nullopt;
   MixtureReference reference = sheet.finish(file.filename().string());
   return reading.faults() == before ? std::optional(std::move(reference)) : std::nullopt;

@@ -67,7 +67,7 @@ std::optional<Pour> read_pour(Table& species) {
     pour.region = read_cylinder(table);
   if (table.has("mass_rate") && table.has("particle_rate"))
     table.fault("particle_rate", "wanted mass_rate or particle_rate, not both");
-  pour.particle_rate = table.value("particle_rate", {Dimension::frequency, positive}, none);
+  pour.particle_rate = table.value("particle_rate", {Dimension::event_rate, positive}, none);
   pour.mass_rate = table.has("particle_rate")
                        ? table.value("mass_rate", {Dimension::mass_rate, positive}, none)
                        : table.value("mass_rate", {Dimension::mass_rate, positive});

@@ -1,12 +1,11 @@
-// The only file that knows assimp.
 #include "case/stl.hpp"
 
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
+
+#include "case/stl_text.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -24,22 +23,6 @@ std::string flaw(const Triangle& t) {
       std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
   const double doubled_area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
   return doubled_area > smallest_height * longest * longest ? "" : "no area";
-}
-
-void append(const aiMesh& mesh, double scale, StlFile& out) {
-  for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
-    const aiFace& face = mesh.mFaces[k];
-    if (face.mNumIndices != 3) {
-      out.problems.push_back(fmt::format("face {} is no triangle", out.triangles.size()));
-      continue;
-    }
-    Triangle triangle;
-    for (unsigned corner = 0; corner < 3; ++corner) {
-      const aiVector3D& p = mesh.mVertices[face.mIndices[corner]];
-      triangle[corner] = scale * Vec3(p.x, p.y, p.z);
-    }
-    out.triangles.push_back(triangle);
-  }
 }
 
 void name_flaws(StlFile& out) {
@@ -70,14 +53,14 @@ StlFile read_stl(const std::filesystem::path& file, double scale) {
     out.problems.push_back(fmt::format("the STL file '{}' does not exist", file.string()));
     return out;
   }
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
-  if (scene == nullptr || scene->mNumMeshes == 0) {
-    out.problems.push_back(
-        fmt::format("'{}' is no STL file: {}", file.string(), importer.GetErrorString()));
+  const StlText text = stl_triangles(file);
+  if (!text.problem.empty()) {
+    out.problems.push_back(fmt::format("'{}' is no STL file: {}", file.string(), text.problem));
     return out;
   }
-  for (unsigned k = 0; k < scene->mNumMeshes; ++k) append(*scene->mMeshes[k], scale, out);
+  for (const auto& corners : text.triangles)
+    out.triangles.push_back({scale * corners[0].cast<double>(), scale * corners[1].cast<double>(),
+                             scale * corners[2].cast<double>()});
   if (out.triangles.empty()) out.problems.push_back("the STL file holds no triangle");
   name_flaws(out);
   return out;

@@ -5,11 +5,12 @@
 #include <udunits2.h>
 
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
-#include <string_view>
+#include <map>
+#include <optional>
 
+#include "case/unit_text.hpp"
+#include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
 namespace pmr::casefile {
@@ -41,7 +42,9 @@ constexpr std::array names{
     DimensionName{Dimension::acceleration, "an acceleration", "m/s2", "9.80665 m/s2"},
     DimensionName{Dimension::angle, "an angle", "radian", "43 deg"},
     DimensionName{Dimension::spin, "an angular velocity", "radian/s", "10 rad/s"},
+    DimensionName{Dimension::rotation_rate, "a rate of rotation", "radian/s", "20 rpm"},
     DimensionName{Dimension::frequency, "a frequency", "Hz", "50 Hz"},
+    DimensionName{Dimension::event_rate, "a number per time", "1/s", "2000 1/s"},
     DimensionName{Dimension::temperature, "a temperature", "K", "1100 degC"},
     DimensionName{Dimension::temperature_difference, "a temperature difference", "K", "0.1 K"},
     DimensionName{Dimension::pressure, "a pressure", "Pa", "1000 Pa"},
@@ -72,30 +75,60 @@ const DimensionName& name_of(Dimension dimension) {
   return names[0];
 }
 
-struct Split {
-  std::vector<double> numbers;
-  std::string unit;
+// What a unit is made of. UDUNITS itself counts radians as numbers, and takes a unit for its
+// reciprocal: by that 5 s/m would be a speed of 0.2 m/s, and 5 Hz a time.
+struct Anatomy {
+  std::map<std::string, int> powers;  // of the base units; of the radian in `angle`
+  int angle = 0;
+  bool is_linear = true;  // neither logarithmic nor a date
+
+  static ut_status basic(const ut_unit* unit, void* anatomy) {
+    const int one = 1;
+    return product(unit, 1, &unit, &one, anatomy);
+  }
+  static ut_status product(const ut_unit*, int count, const ut_unit* const* units,
+                           const int* powers, void* anatomy) {
+    auto& out = *static_cast<Anatomy*>(anatomy);
+    for (int k = 0; k < count; ++k) {
+      const char* symbol = ut_get_symbol(units[k], UT_ASCII);
+      const std::string name = symbol == nullptr ? "" : symbol;
+      (name == "rad" ? out.angle : out.powers[name]) += powers[k];
+    }
+    return UT_SUCCESS;
+  }
+  static ut_status galilean(const ut_unit*, double, const ut_unit* underlying, double,
+                            void* anatomy) {
+    return ut_accept_visitor(underlying, &visitor, anatomy);
+  }
+  static ut_status other(void* anatomy) {
+    static_cast<Anatomy*>(anatomy)->is_linear = false;
+    return UT_SUCCESS;
+  }
+  static ut_status timestamp(const ut_unit*, const ut_unit*, double, void* anatomy) {
+    return other(anatomy);
+  }
+  static ut_status logarithmic(const ut_unit*, double, const ut_unit*, void* anatomy) {
+    return other(anatomy);
+  }
+  static const ut_visitor visitor;
 };
 
-// Leading numbers, then the unit: "0 0 10 mm", "2.99mm". "1/K" is a unit, not a number.
-Split split(std::string_view text) {
-  Split out;
-  while (true) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0)
-      text.remove_prefix(1);
-    const bool plus = text.size() > 1 && text.front() == '+';
-    const char* first = text.data() + (plus ? 1 : 0);
-    const char* last = text.data() + text.size();
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(first, last, number);
-    const bool glued = end != last && std::string_view("/*^.").find(*end) != std::string_view::npos;
-    if (error != std::errc{} || glued) break;
-    out.numbers.push_back(number);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  }
-  out.unit = text;
-  while (!out.unit.empty() && out.unit.back() == ' ') out.unit.pop_back();
-  return out;
+const ut_visitor Anatomy::visitor{basic, product, galilean, timestamp, logarithmic};
+
+Anatomy anatomy_of(const ut_unit* unit) {
+  Anatomy anatomy;
+  ut_accept_visitor(unit, &Anatomy::visitor, &anatomy);
+  return anatomy;
+}
+
+// Factor from a unit to the SI unit of a dimension that angles bring in [1], beside UDUNITS' own: a
+// turn is 2 pi rad. None where the two do not fit.
+std::optional<double> turns(const Anatomy& from, const Anatomy& to, Dimension dimension) {
+  if (!from.is_linear || from.powers != to.powers) return std::nullopt;
+  if (from.angle == to.angle) return 1.0;
+  if (dimension == Dimension::rotation_rate && from.angle == 0) return 2.0 * pi;      // "20 1/min"
+  if (dimension == Dimension::frequency && from.angle == 1) return 1.0 / (2.0 * pi);  // "3000 rpm"
+  return std::nullopt;
 }
 
 }  // namespace
@@ -104,13 +137,12 @@ struct Units::System {
   ut_system* system;
 
   Unit unit(const std::string& text) const { return Unit(ut_parse(system, text.c_str(), UT_UTF8)); }
-  bool converts(const ut_unit* from, const char* to) const {
-    const Unit target = unit(to);
-    return ut_are_convertible(const_cast<ut_unit*>(from), target.get()) != 0;
+  std::optional<double> turns_to(const ut_unit* from, const DimensionName& to) const {
+    return turns(anatomy_of(from), anatomy_of(unit(to.si).get()), to.dimension);
   }
   std::string found(const ut_unit* from) const {
     for (const DimensionName& name : names)
-      if (converts(from, name.si)) return name.name;
+      if (turns_to(from, name) == 1.0) return name.name;
     return "of another dimension";
   }
 };
@@ -137,23 +169,35 @@ Quantities Units::parse(const std::string& text, Dimension dimension) const {
   const auto refuse = [&](const std::string& problem) {
     return Quantities{{}, fmt::format("'{}' {}; wanted {}", text, problem, wanted(dimension))};
   };
-  Split parts = split(text);
+  NumbersAndUnit parts = split(text);
   if (parts.numbers.empty()) return refuse("is no number with a unit");
   if (parts.unit.empty()) return refuse("has no unit");
+  if (!has_whole_exponents(parts.unit))
+    return refuse(
+        fmt::format("has the unit '{}', in which a number is no whole exponent", parts.unit));
   const Unit from = system_->unit(parts.unit);
   if (!from) return refuse(fmt::format("has the unknown unit '{}'", parts.unit));
   const DimensionName& name = name_of(dimension);
-  if (!system_->converts(from.get(), name.si)) return refuse("is " + system_->found(from.get()));
-  const Unit target = system_->unit(name.si);
-  const Converter converter(ut_get_converter(from.get(), target.get()));
+  const std::optional<double> turns = system_->turns_to(from.get(), name);
+  if (!turns) return refuse("is " + system_->found(from.get()));
+  const Converter converter(ut_get_converter(from.get(), system_->unit(name.si).get()));
   const bool has_offset = cv_convert_double(converter.get(), 0.0) != 0.0;
   if (has_offset && dimension != Dimension::temperature)
     return refuse("is a temperature on a scale with an offset");
   for (double& number : parts.numbers) {
     if (!std::isfinite(number)) return refuse("is not finite");
-    number = cv_convert_double(converter.get(), number);
+    number = *turns * cv_convert_double(converter.get(), number);
+    if (!std::isfinite(number)) return refuse("is not finite in SI");
   }
   return {std::move(parts.numbers), ""};
+}
+
+Scale Units::scale(const std::string& unit, Dimension dimension) const {
+  if (const NumbersAndUnit parts = split(unit); !parts.numbers.empty())
+    return {0.0, 1.0, fmt::format("'{}' is no unit: it holds a number", unit)};
+  const Quantities ends = parse("0 1 " + unit, dimension);
+  if (!ends.problem.empty()) return {0.0, 1.0, ends.problem};
+  return {ends.values[0], ends.values[1] - ends.values[0], ""};
 }
 
 }  // namespace pmr::casefile

@@ -14,8 +14,10 @@ enum class Dimension {
   speed,
   acceleration,
   angle,
-  spin,
-  frequency,
+  spin,           // of a particle: with an angle in its unit, since "1/s" is both in the field
+  rotation_rate,  // of a machine: turns where its unit has no angle, "20 1/min" is 20 rpm
+  frequency,      // of cycles: a turn is one, "3000 rpm" is 50 Hz
+  event_rate,     // of things that are counted
   temperature,
   temperature_difference,
   pressure,
@@ -46,6 +48,12 @@ struct Quantities {
   std::string problem;         // empty when all is well
 };
 
+// SI value = offset + factor times the number; or what is wrong.
+struct Scale {
+  double offset, factor;
+  std::string problem;  // empty when all is well
+};
+
 class Units {
  public:
   Units();
@@ -55,6 +63,8 @@ class Units {
 
   // Reads "2.99 mm" or "0 0 10 mm".
   Quantities parse(const std::string& text, Dimension dimension) const;
+  // Reads the "mm" of a column "x [mm]".
+  Scale scale(const std::string& unit, Dimension dimension) const;
 
  private:
   struct System;

@@ -41,7 +41,7 @@ Motion read_fall(Table& table) {
 
 Motion read_rotation(Table& table) {
   return Rotate{table.vector("pivot", Dimension::length), table.direction("axis"),
-                table.value("rate", {Dimension::spin, any}), table.value("begin", a_time),
+                table.value("rate", {Dimension::rotation_rate, any}), table.value("begin", a_time),
                 table.value("finish", a_time, forever)};
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "pmr/base/errors.hpp"
+#include "pmr/base/text.hpp"
 
 namespace pmr::io {
 namespace {
@@ -28,10 +29,14 @@ struct Layout {
   bool has(Wanted wanted) const { return place[wanted] >= 0; }
 };
 
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view blanks = " \t";
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t first = std::min(line.find_first_not_of(blanks, at), line.size());
+    at = std::min(line.find_first_of(blanks, first), line.size());
+    if (at > first) words.push_back(line.substr(first, at - first));
+  }
   return words;
 }
 
@@ -49,17 +54,18 @@ class Frame {
     dump.time_step = number_after("ITEM: TIMESTEP");
     const std::uint64_t announced = number_after("ITEM: NUMBER OF ATOMS");
     expect("ITEM: BOX BOUNDS");
-    for (int side = 0; side < 3; ++side) next();
+    for (int side = 0; side < 3; ++side) pass_bounds();
     expect("ITEM: ATOMS");
     const Layout layout = read_layout();
     if (!faults_.empty()) throw CaseError(std::move(faults_));
     dump.atoms.reserve(std::min<std::uint64_t>(announced, 1U << 24));
     for (std::uint64_t k = 0; k < announced; ++k) {
-      if (!std::getline(in_, line_))
+      if (!next_line(in_, line_))
         stop("ends after " + std::to_string(k) + " of " + std::to_string(announced) + " atoms");
       ++number_;
       read_atom(layout, dump);
     }
+    refuse_more_than(announced);
     std::sort(dump.atoms.begin(), dump.atoms.end(), [](const DumpAtom& a, const DumpAtom& b) {
       return a.id != b.id ? a.id < b.id : a.line < b.line;
     });
@@ -71,19 +77,28 @@ class Frame {
   }
 
  private:
-  // To the line of the last "ITEM: TIMESTEP".
+  // To the line of the last "ITEM: TIMESTEP"; units are told once, before the first of them.
   void seek_last() {
-    std::streampos last = -1, here = 0;
-    std::size_t number = 0, last_number = 0;
-    for (; std::getline(in_, line_); ++number, here = in_.tellg())
-      if (line_.rfind("ITEM: TIMESTEP", 0) == 0) {
-        last = here;
-        last_number = number;
-      }
+    skip_byte_order_mark(in_);
+    std::streampos last = -1, here = in_.tellg();
+    std::size_t last_number = 0;
+    bool tells_units = false;
+    for (number_ = 0; next_line(in_, line_); ++number_, here = in_.tellg()) {
+      if (std::exchange(tells_units, line_.rfind("ITEM: UNITS", 0) == 0)) check_units();
+      if (line_.rfind("ITEM: TIMESTEP", 0) != 0) continue;
+      last = here;
+      last_number = number_;
+    }
+    number_ = 0;
     if (last < 0) stop("is no text dump; wanted a line 'ITEM: TIMESTEP'");
     in_.clear();
     in_.seekg(last);
     number_ = last_number;
+  }
+
+  void check_units() {
+    ++number_;
+    if (trimmed(line_) != "si") stop("is in the units '" + line_ + "'; wanted a dump in si");
   }
 
   std::string where() const { return file_.string() + ":" + std::to_string(number_); }
@@ -101,7 +116,7 @@ class Frame {
 
   void next() {
     ++number_;
-    if (!std::getline(in_, line_)) stop("the frame is cut short");
+    if (!next_line(in_, line_)) stop("the frame is cut short");
   }
 
   void expect(const std::string& start) {
@@ -112,20 +127,41 @@ class Frame {
   std::uint64_t number_after(const std::string& start) {
     expect(start);
     next();
-    std::uint64_t value = 0;
-    if (std::from_chars(line_.data(), line_.data() + line_.size(), value).ec != std::errc{})
-      stop("wanted a whole number, found '" + line_ + "'");
-    return value;
+    const auto value = whole_number(trimmed(line_));
+    if (!value) stop("wanted a whole number, found '" + line_ + "'");
+    return *value;
+  }
+
+  // "-0.05 0.05", or three numbers of a tilted box; particles are not held against it.
+  void pass_bounds() {
+    next();
+    const std::vector<std::string_view> words = words_of(line_);
+    const bool are_numbers =
+        std::all_of(words.begin(), words.end(), [](const auto& w) { return finite_number(w); });
+    if (words.size() < 2 || words.size() > 3 || !are_numbers)
+      stop("wanted two numbers, the bounds of the box, found '" + line_ + "'");
+  }
+
+  // The frame is the last one: behind its atoms nothing may stand.
+  void refuse_more_than(std::uint64_t announced) {
+    for (; next_line(in_, line_);) {
+      ++number_;
+      if (trimmed(line_).empty()) continue;
+      return fault("", "stands behind the " + std::to_string(announced) +
+                           " atoms that the frame announces: '" + line_ + "'");
+    }
   }
 
   Layout read_layout() {
-    std::vector<std::string> words = words_of(line_);
+    std::vector<std::string_view> words = words_of(line_);
     words.erase(words.begin(), words.begin() + 2);
     Layout layout{{}, words.size()};
     const auto place = [&](const std::string& name) {
       const auto found = std::find(words.begin(), words.end(), name);
       return found == words.end() ? std::ptrdiff_t{-1} : found - words.begin();
     };
+    for (const char* name : names)
+      if (std::count(words.begin(), words.end(), name) > 1) fault(name, "the column stands twice");
     for (std::size_t k = 0; k < count; ++k) layout.place[k] = place(names[k]);
     for (const Wanted wanted : {id, type, radius, x, y, z})
       if (!layout.has(wanted)) fault(names[wanted], missing(names[wanted], place));
@@ -151,16 +187,7 @@ class Frame {
   }
 
   void read_atom(const Layout& layout, Dump& dump) {
-    cells_.clear();
-    const char *at = line_.data(), *const end = at + line_.size();
-    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (true) {
-      while (at != end && is_space(*at)) ++at;
-      if (at == end) break;
-      const char* first = at;
-      while (at != end && !is_space(*at)) ++at;
-      cells_.push_back({first, static_cast<std::size_t>(at - first)});
-    }
+    cells_ = words_of(line_);
     if (cells_.size() != layout.columns)
       return fault("", "has " + std::to_string(cells_.size()) + " columns; the frame has " +
                            std::to_string(layout.columns));
@@ -174,30 +201,26 @@ class Frame {
     if (layout.has(omegax)) atom.spin = vector(layout, omegax);
     if (faults_.size() + dropped_ > before) return;
     if (atom.radius < smallest_radius || atom.radius > largest_radius)
-      fault("radius", "is " + cell(layout, radius) +
+      fault("radius", "is " + std::string(cell(layout, radius)) +
                           " m; wanted 1e-6 to 0.05 m: is the dump in another unit than SI?");
     dump.atoms.push_back(atom);
   }
 
-  std::string cell(const Layout& layout, Wanted wanted) const {
-    return std::string(cells_[static_cast<std::size_t>(layout.place[wanted])]);
+  std::string_view cell(const Layout& layout, Wanted wanted) const {
+    return cells_[static_cast<std::size_t>(layout.place[wanted])];
   }
 
   template <class Number>
-  Number parse(const Layout& layout, Wanted wanted, const char* what) {
-    const std::string_view text = cells_[static_cast<std::size_t>(layout.place[wanted])];
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    bool is_good = error == std::errc{} && end == text.data() + text.size();
-    if constexpr (std::is_floating_point_v<Number>) is_good = is_good && std::isfinite(value);
-    if (!is_good) fault(names[wanted], "'" + std::string(text) + "' is no " + what);
-    return value;
+  Number known(const std::optional<Number>& number, const Layout& layout, Wanted wanted,
+               const char* what) {
+    if (!number) fault(names[wanted], "'" + std::string(cell(layout, wanted)) + "' is no " + what);
+    return number.value_or(Number{});
   }
   std::uint64_t whole(const Layout& layout, Wanted wanted) {
-    return parse<std::uint64_t>(layout, wanted, "whole number");
+    return known(whole_number(cell(layout, wanted)), layout, wanted, "whole number");
   }
   double real(const Layout& layout, Wanted wanted) {
-    return parse<double>(layout, wanted, "finite number");
+    return known(finite_number(cell(layout, wanted)), layout, wanted, "finite number");
   }
   Vec3 vector(const Layout& layout, Wanted first) {
     Vec3 v;
@@ -229,7 +252,8 @@ class Frame {
 Dump read_dump(const std::filesystem::path& file) { return Frame(file).read(); }
 
 bool is_dump(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  std::ifstream in(file, std::ios::binary);
+  skip_byte_order_mark(in);
   std::string word;
   return in >> word && word == "ITEM:";
 }

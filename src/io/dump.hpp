@@ -24,9 +24,10 @@ struct Dump {
 };
 
 // The last frame of the dump. Columns may stand in any order; those that are not wanted are passed
-// over. Units are SI (`units si`). CaseError with each fault's file:line: missing columns, scaled
-// or unwrapped coordinates, lines that are cut or hold no finite number, radii that no grain has (1
-// um to 50 mm), ids that appear twice, fewer atoms than announced.
+// over. Units are SI (`units si`). CaseError with each fault's file:line: other units declared,
+// missing columns and those that stand twice, scaled or unwrapped coordinates, lines that are cut
+// or hold anything but finite numbers, radii that no grain has (1 um to 50 mm), ids that appear
+// twice, fewer or more atoms than announced.
 Dump read_dump(const std::filesystem::path& file);
 
 // True when the file opens with "ITEM:".

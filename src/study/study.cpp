@@ -8,6 +8,7 @@
 
 #include "case/nearest.hpp"
 #include "case/reader.hpp"
+#include "pmr/base/text.hpp"
 
 namespace pmr::study {
 namespace {
@@ -238,10 +239,10 @@ void apply(Study& study, const std::string& set) {
     return;
   }
   const std::string value = equals == std::string::npos ? "" : set.substr(equals + 1);
-  char* end = nullptr;
-  constant->second = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0')
+  const std::optional<double> number = finite_number(value);
+  if (!number)
     throw CaseError({{"--set " + set, key, "wanted a number for this constant of the study"}});
+  constant->second = *number;
 }
 
 // A study may lie on another: tables are merged, anything else is replaced.

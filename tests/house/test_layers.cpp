@@ -54,7 +54,6 @@ const std::map<std::string, std::set<std::string>> foreign = {
     {"hdf5.h", {"src/io/hdf5.cpp"}},
     {"toml++/", {"src/case/toml_file.cpp"}},
     {"udunits2", {"src/case/units.cpp"}},
-    {"assimp/", {"src/case/stl.cpp"}},
     {"cvodes/", {"src/coupling/cvode.cpp"}},
     {"nvector/", {"src/coupling/vectors.cpp"}},
     {"sunlinsol/", {"src/coupling/cvode.cpp"}},

@@ -98,3 +98,35 @@ TEST_CASE("A dump that is cut or no dump is refused") {
   CHECK_THAT(refused(whole.substr(0, 40)), Contains("frame is cut short"));
   CHECK_THAT(refused("x y z\n1 2 3\n"), Contains("no text dump"));
 }
+
+TEST_CASE("A dump's count of atoms is a whole number, and as many follow") {
+  const std::string atoms = "1 1 0.001 0 0 0.1\n2 1 0.001 0 0 0.2\n3 1 0.001 0 0 0.3\n";
+  const auto with_count = [&](const std::string& count) {
+    return "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n" + count +
+           "\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n0 1\nITEM: ATOMS " + plain + "\n" + atoms;
+  };
+  CHECK(read(with_count("3 \r")).atoms.size() == 3);
+  for (const char* count : {"3.0e0", "3.5", "3 atoms", "-3", ""})
+    CHECK_THAT(refused(with_count(count)), Contains(":4: wanted a whole number"));
+  CHECK_THAT(refused(with_count("2")),
+             Contains(":12: stands behind the 2 atoms that the frame announces: '3 1 0.001"));
+  CHECK_THAT(refused(with_count("4")), Contains("ends after 3 of 4 atoms"));
+}
+
+TEST_CASE("A dump that declares other units than si is refused") {
+  const std::string good = frame(0, plain, {"1 1 0.001 0 0 0.1"});
+  CHECK(read("ITEM: UNITS\nsi\n" + good + frame(5, plain, {"1 1 0.001 0 0 0.2"})).time_step == 5);
+  CHECK_THAT(refused("ITEM: UNITS\nlj\n" + good), Contains(":2: is in the units 'lj'; wanted"));
+}
+
+TEST_CASE("Numbers of a dump are read as those of a CSV file") {
+  const io::Dump dump =
+      read("\xEF\xBB\xBF" + frame(0, plain, {"1 1 +1.0E-03 -2.0e-02 +1.5E-3 .25 \r"}));
+  REQUIRE(dump.atoms.size() == 1);
+  CHECK(dump.atoms[0].position == Vec3(-0.02, 0.0015, 0.25));
+  for (const char* number : {"0.1mm", "0x1", "+-1", "1e999", "nan"})
+    CHECK_THAT(refused(frame(0, plain, {"1 1 0.001 0 0 " + std::string(number)})),
+               Contains("' is no finite number"));
+  CHECK_THAT(refused(frame(0, plain + " x", {"1 1 0.001 0 0 0.1 0.2"})),
+             Contains(":9: x: the column stands twice"));
+}
