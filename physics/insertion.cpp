@@ -6,6 +6,7 @@
 #include "physics/deposition.hpp"
 #include "physics/neighbours.hpp"
 #include "physics/pouring.hpp"
+#include "physics/wall_overlaps.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
 
@@ -19,7 +20,7 @@ constexpr double lattice_spacing = 1.05;
 constexpr double layer_spacing = 1.001;
 // Layers without a single particle after which a region counts as too narrow.
 constexpr int most_empty_layers = 16;
-constexpr double largest_overlap = 0.1;  // [1] of the smaller radius
+constexpr double most_places = 1.0e7;    // [1] of a layer: a region this wide is a mistake
 constexpr std::size_t most_faults = 10;  // of one kind
 
 struct Placed {
@@ -230,7 +231,7 @@ void find_overlaps(const Case& c, const Particles& p, std::vector<Fault>& faults
   std::size_t found = 0;
   for (const NeighbourPair& pair : pairs_within(p, 0.0)) {
     const double overlap = -pair.gap / std::min(p.radius[pair.i], p.radius[pair.j]);
-    if (overlap <= largest_overlap) continue;
+    if (overlap <= largest_opening_overlap) continue;
     faults.push_back({"case", name_of(c, p, pair.j),
                       "a particle starts with an overlap of " + std::to_string(100.0 * overlap) +
                           " % of the radius with one of " + name_of(c, p, pair.i) +
@@ -239,11 +240,34 @@ void find_overlaps(const Case& c, const Particles& p, std::vector<Fault>& faults
   }
 }
 
+void find_in_walls(const Case& c, const Particles& p, std::vector<Fault>& faults) {
+  const double begin = begin_of_run(c);
+  const auto is_there = [&](const Surface& surface) { return is_present(surface, begin); };
+  for (const DeepInWall& deep :
+       wall_overlaps(p, c.walls, begin, largest_opening_overlap, is_there).excessive)
+    faults.push_back({"case", name_of(c, p, deep.deepest),
+                      "at the start " + to_text(deep, p, c.walls, largest_opening_overlap)});
+}
+
+// Too wide a region, or too narrow particles: its layers could not be looked through.
+void find_too_wide(const Case& c, std::vector<Fault>& faults) {
+  for (const Species& species : c.species) {
+    if (!species.region || species.count == 0) continue;
+    const double across = 2.0 * ground(*species.region).reach / smallest_diameter(species);
+    if (across * across > most_places)
+      faults.push_back({"case", "species." + species.name + ".region",
+                        "is more than 3000 diameters of the smallest particle wide"});
+  }
+}
+
 Particles place_and_check(const Case& c, std::vector<Fault>& faults) {
+  find_too_wide(c, faults);
+  if (!faults.empty()) return {};
   Particles p = place_all(c, faults);
   for (Fault& fault : pouring_faults(c)) faults.push_back(std::move(fault));
   find_places_outside(c, p, faults);
   if (p.size() > 1) find_overlaps(c, p, faults);
+  find_in_walls(c, p, faults);
   return p;
 }
 

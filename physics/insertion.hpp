@@ -17,8 +17,8 @@ namespace pmr::physics {
 Particles insert(const Case& c);
 
 // Sources that cannot pour (physics/pouring.hpp), regions that are too small (with what fits and
-// the height it takes), particles outside the domain, particles that overlap by more than a tenth
-// of the smaller radius.
+// the height it takes) or thousands of diameters wide, particles outside the domain, particles that
+// overlap each other or a wall by more than a tenth of the (smaller) radius.
 std::vector<Fault> insertion_faults(const Case& c);
 
 }  // namespace pmr::physics

@@ -17,8 +17,6 @@ namespace {
 
 constexpr int places_tried = 64;  // [1] for one particle in one call
 
-double begin_of_run(const Case& c) { return c.fill ? -c.fill->duration : 0.0; }  // [s]
-
 double end_of_motion(const Case& c) {  // [s]
   return c.mix ? c.mix->duration : 0.0;
 }
@@ -112,6 +110,8 @@ void move_in(State& state, std::size_t k, const Vec3& position, const Vec3& velo
 }
 
 }  // namespace
+
+double begin_of_run(const Case& c) { return c.fill ? -c.fill->duration : 0.0; }
 
 std::vector<Entry> entries(const Case& c) {
   std::vector<Entry> all;

@@ -8,6 +8,8 @@
 
 namespace pmr::physics {
 
+double begin_of_run(const Case& c);  // [s] of one that inserts its particles
+
 // When each poured particle is due, a function of the case alone: particle k of a species enters
 // when its source has given the particles before it, by mass or by number; all species by time.
 struct Entry {

@@ -70,6 +70,7 @@ MechanicsModel read_mechanics(Table& models) {
   if (step != nullptr && !(step->kind == Node::Kind::string && step->text == "auto"))
     mechanics.time_step = table.value("time_step", a_duration);
   mechanics.allows_long_step = table.flag("allow_long_time_step", false);
+  mechanics.allowed_losses = table.count("allowed_losses", 0, 0);
   mechanics.impact_speed = table.maybe("impact_speed", {Dimension::speed, positive});
   mechanics.fraction_of_rayleigh =
       table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.189);

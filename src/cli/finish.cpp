@@ -13,6 +13,7 @@
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
 #include "sim/summary.hpp"
+#include "sim/verdict.hpp"
 
 namespace pmr::cli {
 namespace {
@@ -55,22 +56,21 @@ void print_headline(const sim::Simulation& simulation, const sim::Balance& balan
 
 int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::Ending ending) {
   const sim::Balance balance = sim::close_books(simulation.setup(), simulation.state());
-  const bool closes = !sim::has_heat(simulation.setup()) || balance.closes();
   const bool completed = ending == sim::Ending::completed;
+  const auto reasons = sim::reasons_to_fail(simulation.setup(), simulation.state());
   const io::Series series = io::read_series(record.folder);
-  summarise(simulation, record, !closes ? "failed" : completed ? "completed" : "stopped", series);
+  summarise(simulation, record,
+            !reasons.empty() ? "failed"
+            : completed      ? "completed"
+                             : "stopped",
+            series);
   instruments::write_instruments(record.folder, simulation.setup(), series,
                                  simulation.state().particles);
   print_headline(simulation, balance);
   report::write_report({record.folder}, record.folder / "report.html");
   log_info("report   " + (record.folder / "report.html").string());
-  if (!closes) {
-    log_error(fmt::format(
-        "the books do not close: energy {:.2e} (limit {:.0e}), oxygen {:.2e} "
-        "(limit {:.0e}); see balances in summary.json",
-        balance.energy_relative, sim::energy_limit, balance.oxygen_relative, sim::oxygen_limit));
-    return failed;
-  }
+  for (const std::string& reason : reasons) log_error(reason);
+  if (!reasons.empty()) return failed;
   if (completed) return done;
   log_info("interrupted; go on with: pmr resume " + record.folder.string());
   return interrupted;

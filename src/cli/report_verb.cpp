@@ -17,6 +17,7 @@
 #include "pmr/base/errors.hpp"
 #include "report/report.hpp"
 #include "sim/summary.hpp"
+#include "sim/verdict.hpp"
 
 namespace pmr::cli {
 
@@ -48,7 +49,9 @@ int analyse(const fs::path& folder, const fs::path& reference) {
   instruments::write_instruments(folder, c, series, state.particles);
   auto provenance = header.provenance;
   provenance["state_hash"] = hexadecimal(io::state_hash(state));
-  const std::string status = state.phase == Phase::done ? "completed" : "stopped";
+  const std::string status = state.phase != Phase::done               ? "stopped"
+                             : sim::reasons_to_fail(c, state).empty() ? "completed"
+                                                                      : "failed";
   sim::write_summary(folder / "instruments",
                      {c, state, coupling::number_nodes(c, state.opening.particles), Timings{},
                       series, physics::time_step(c).step, status, provenance});

@@ -25,7 +25,8 @@ struct Bed {
 // the case has not are dropped. From a dump: its last frame, types matched by Species::dump_type or
 // else 1 for the first species by name and so on. Temperatures are the case's, masses follow from
 // its densities. Throws CaseError with all faults: unknown species or types, particles outside the
-// domain, overlaps of more than a tenth of the radius, nothing left to simulate.
+// domain, overlaps of more than half of the radius with
+// each other or with walls, nothing left to simulate.
 Bed read_bed(const Case& c);
 
 // Tells the case the counts and sizes of the particles that it was opened with.

@@ -56,7 +56,9 @@ Interval Schedule::next(const State& state) const {
 }
 
 Interval Schedule::moving(const State& state, double length, double phase_end) const {
-  const double target = std::min(state.time + length, phase_end);
+  double target = std::min(state.time + length, phase_end);
+  for (const Surface& surface : case_.walls.surfaces)  // its place is looked at as it comes in
+    if (surface.from > state.time + same_time) target = std::min(target, surface.from);
   const auto sub_steps = std::max<std::uint64_t>(
       1, static_cast<std::uint64_t>(std::llround((target - state.time) / time_step_)));
   const double end = state.time + static_cast<double>(sub_steps) * time_step_;

@@ -1,5 +1,7 @@
 #include "sim/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "coupling/retrace.hpp"
 #include "coupling/thermal_state.hpp"
 #include "physics/insertion.hpp"
+#include "physics/wall_overlaps.hpp"
 #include "pmr/base/errors.hpp"
 #include "sim/ledger.hpp"
 
@@ -79,8 +82,27 @@ void Simulation::step() {
   const bool phase_ended =
       schedule_.move_on(state_, is_pouring ? std::numeric_limits<double>::infinity()
                                            : physics::rms_speed(state_.particles));
+  refuse_walls_in_particles(interval.begin);
   if (phase_ended && state_.phase == Phase::react) settle();
   recorder_.record(state_, interval.takes_snapshot || phase_ended);
+}
+
+// A wall that has come in since must have found its place free: its contacts would throw off what
+// it cuts into, and conduct as none does. As deep as the run's contacts were it may stand: where
+// one floor takes the place of another.
+void Simulation::refuse_walls_in_particles(double before) const {
+  const auto came_in = [&](const Surface& surface) {
+    return !is_present(surface, before) && is_present(surface, state_.time);
+  };
+  const auto& surfaces = case_.walls.surfaces;
+  if (std::none_of(surfaces.begin(), surfaces.end(), came_in)) return;
+  const double limit = std::max(physics::largest_opening_overlap, state_.extremes.overlap_ratio);
+  const auto found =
+      physics::wall_overlaps(state_.particles, case_.walls, state_.time, limit, came_in);
+  if (found.excessive.empty()) return;
+  throw NumericsError(fmt::format(
+      "t = {:.6g} s: a wall comes in where particles are: {}; see its `from`, and its place",
+      state_.time, to_text(found.excessive.front(), state_.particles, case_.walls, limit)));
 }
 
 // The bed lies now: neighbours get neighbouring nodes, and what named the old ones goes.

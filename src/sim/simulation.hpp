@@ -47,6 +47,7 @@ class Simulation {
   void open();
   void settle();
   void open_pores();
+  void refuse_walls_in_particles(double before) const;
   void pour();
   void move(const Interval& interval);
   void retrace_if_due(const Interval& interval);

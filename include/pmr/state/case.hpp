@@ -139,6 +139,7 @@ struct MechanicsModel {
   std::optional<double> impact_speed = std::nullopt;  // [m/s] of contacts to be resolved
   bool allows_long_step = false;                      // an explicit step above the stable range
   ContactModel contact = {};
+  std::size_t allowed_losses = 0;  // [1] particles that may leave the domain; more: the run failed
 };
 // The values behind the first of each are kept for comparison with other codes.
 enum class ContactConduction { batchelor_obrien, liggghts };
