@@ -7,15 +7,16 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
-#include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 
 namespace pmr::io {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
-  const std::string reason = std::strerror(errno);
-  throw CaseError({Fault{path.string(), "", std::string(what) + ": " + reason}});
+  const int reason = errno;
+  throw StorageError(path.string() + ": " + what + ": " + std::strerror(reason));
 }
 
 class Descriptor {
@@ -28,7 +29,17 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   bool is_open() const { return descriptor_ >= 0; }
+  bool write(std::string_view bytes) const {  // all of them, in as many pieces as it takes
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
   bool sync() const { return ::fsync(descriptor_) == 0; }
+  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
 
  private:
   int descriptor_;
@@ -52,13 +63,15 @@ Replacement::~Replacement() {
 }
 
 void Replacement::commit() {
-  const Descriptor file(temporary_, O_RDONLY);
-  if (!file.is_open() || !file.sync()) fail(target_, "cannot be brought to the disk");
+  Descriptor file(temporary_, O_RDONLY);
+  if (!file.is_open() || !file.sync() || !file.close())
+    fail(target_, "cannot be brought to the disk");
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced");
   committed_ = true;
-  // Some file systems refuse to sync a folder; the file itself is whole either way.
+  // EINVAL: file systems that cannot sync a folder; the file itself is whole either way.
   const Descriptor folder(folder_of(target_), O_RDONLY | O_DIRECTORY);
-  if (folder.is_open()) static_cast<void>(folder.sync());
+  if (!folder.is_open() || (!folder.sync() && errno != EINVAL))
+    fail(target_, "its folder cannot be brought to the disk");
 }
 
 std::string read_text(const std::filesystem::path& file) {
@@ -68,11 +81,8 @@ std::string read_text(const std::filesystem::path& file) {
 
 void replace_text(const std::filesystem::path& target, std::string_view text) {
   Replacement replacement(target);
-  {
-    std::ofstream out(replacement.temporary(), std::ios::binary | std::ios::trunc);
-    out << text << std::flush;
-    if (!out) fail(target, "cannot be written");
-  }
+  Descriptor file(replacement.temporary(), O_WRONLY | O_TRUNC);
+  if (!file.is_open() || !file.write(text) || !file.close()) fail(target, "cannot be written");
   replacement.commit();
 }
 

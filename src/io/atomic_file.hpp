@@ -1,4 +1,5 @@
-// A file that appears whole or not at all: written beside its target, made durable, renamed.
+// A file that appears whole or not at all: written beside its target, made durable, renamed. What
+// the disk refuses is a StorageError.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,8 +9,7 @@ namespace pmr::io {
 
 class Replacement {
  public:
-  // Opens DIR/NAME.tmp afresh (whatever a killed run left there goes); CaseError when the folder
-  // cannot be written.
+  // Opens DIR/NAME.tmp afresh: whatever a killed run left there goes.
   explicit Replacement(std::filesystem::path target);
   ~Replacement();  // takes the temporary away unless committed
   Replacement(const Replacement&) = delete;
@@ -27,7 +27,7 @@ class Replacement {
 // A whole file as it is; empty where there is none.
 std::string read_text(const std::filesystem::path& file);
 
-// A whole text file, replaced atomically.
+// A whole file of text or bytes, replaced atomically.
 void replace_text(const std::filesystem::path& target, std::string_view text);
 
 }  // namespace pmr::io

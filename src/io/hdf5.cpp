@@ -7,7 +7,9 @@
 #include <cstring>
 #include <utility>
 
+#include "io/hdf5_disk.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 
 namespace pmr::io {
 namespace {
@@ -48,11 +50,20 @@ herr_t keep_innermost(unsigned n, const H5E_error2_t* error, void* client) noexc
   return 0;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& problem) {
+std::string with_reason(const std::string& problem) {
   Reason reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
-  const std::string why = reason.text[0] == '\0' ? "" : std::string(" (HDF5: ") + reason.text + ")";
-  throw CaseError({Fault{file.string(), "", problem + why}});
+  return reason.text[0] == '\0' ? problem : problem + " (HDF5: " + reason.text + ")";
+}
+
+// Of a file that is read: it is not what was wanted.
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& problem) {
+  throw CaseError({Fault{file.string(), "", with_reason(problem)}});
+}
+
+// Of a file that is written.
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, const std::string& problem) {
+  throw StorageError(file.string() + ": " + with_reason(problem));
 }
 
 hid_t native(Number number) {
@@ -79,6 +90,13 @@ Handle file_access() {
   H5Pset_libver_bounds(list.get(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   H5Pset_file_locking(list.get(), false, true);
   H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG);
+  return list;
+}
+
+// Likewise for a file that is written: what the disk refuses is kept in `refusal` (hdf5_disk.hpp).
+Handle write_access(int* refusal) {
+  Handle list = file_access();
+  write_through(list.get(), refusal);
   return list;
 }
 
@@ -147,11 +165,12 @@ Handle open_attribute(hid_t file, const std::filesystem::path& path, const std::
 }  // namespace
 
 H5File H5File::create(const std::filesystem::path& path) {
-  const Handle access = file_access();
+  auto refusal = std::make_unique<int>(0);
+  const Handle access = write_access(refusal.get());
   const Handle creation = untimed(H5P_FILE_CREATE);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get());
-  if (id < 0) fail(path, "cannot be created");
-  return {path, id};
+  if (id < 0) fail_to_write(path, "cannot be created");
+  return {path, id, std::move(refusal)};
 }
 
 H5File H5File::open(const std::filesystem::path& path) {
@@ -159,18 +178,21 @@ H5File H5File::open(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) fail(path, "no such file");
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get());
   if (id < 0) fail(path, "an HDF5 file of pmr wanted; this one is foreign or damaged");
-  return {path, id};
+  return {path, id, nullptr};
 }
 
 H5File H5File::modify(const std::filesystem::path& path) {
-  const Handle access = file_access();
+  auto refusal = std::make_unique<int>(0);
+  const Handle access = write_access(refusal.get());
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get());
   if (id < 0) fail(path, "an HDF5 file of pmr wanted; this one is foreign or damaged");
-  return {path, id};
+  return {path, id, std::move(refusal)};
 }
 
 H5File::H5File(H5File&& other) noexcept
-    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+    : path_(std::move(other.path_)),
+      id_(std::exchange(other.id_, -1)),
+      refusal_(std::move(other.refusal_)) {}
 
 H5File::~H5File() {
   if (id_ >= 0) H5Fclose(id_);
@@ -179,7 +201,10 @@ H5File::~H5File() {
 void H5File::close() {
   const hid_t id = std::exchange(id_, -1);
   const bool flushed = H5Fflush(id, H5F_SCOPE_GLOBAL) >= 0;
-  if (H5Fclose(id) < 0 || !flushed) fail(path_, "cannot be written to its end");
+  const bool closed = H5Fclose(id) >= 0;
+  if (refusal_ && *refusal_ != 0)
+    throw StorageError(path_.string() + ": cannot be written: " + std::strerror(*refusal_));
+  if (!closed || !flushed) fail_to_write(path_, "cannot be written to its end");
 }
 
 void H5File::make_group(const std::string& path) {
@@ -189,14 +214,15 @@ void H5File::make_group(const std::string& path) {
       const Handle creation = untimed(H5P_GROUP_CREATE);
       const Handle group(H5Gcreate2(id_, part.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
                          H5Gclose);
-      if (!group.is_valid()) fail(path_, "group " + part + " cannot be made");
+      if (!group.is_valid()) fail_to_write(path_, "group " + part + " cannot be made");
     }
     if (slash == std::string::npos) return;
   }
 }
 
 void H5File::remove(const std::string& path) {
-  if (H5Ldelete(id_, path.c_str(), H5P_DEFAULT) < 0) fail(path_, path + " cannot be removed");
+  if (H5Ldelete(id_, path.c_str(), H5P_DEFAULT) < 0)
+    fail_to_write(path_, path + " cannot be removed");
 }
 
 bool H5File::has(const std::string& path) const {
@@ -258,7 +284,7 @@ void H5File::write_block(const std::string& path, const Block& block, const Stor
     const hid_t memory = native(block.number);
     if (!set.is_valid() || (block.shape.rows > 0 && H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL,
                                                              H5P_DEFAULT, block.data) < 0))
-      fail(path_, "dataset " + path + " cannot be written");
+      fail_to_write(path_, "dataset " + path + " cannot be written");
   }
   set_attribute(path, "unit", storage.unit);
 }
@@ -286,13 +312,14 @@ void H5File::extend(const std::string& path, std::span<const double> values) {
   H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, &first, nullptr, &count, nullptr);
   if (!grown || H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, source.get(), target.get(), H5P_DEFAULT,
                          values.data()) < 0)
-    fail(path_, "dataset " + path + " cannot be extended");
+    fail_to_write(path_, "dataset " + path + " cannot be extended");
 }
 
 void H5File::shorten(const std::string& path, std::size_t rows) {
   const hsize_t size = rows;
   const Handle set = open_dataset(id_, path_, path);
-  if (H5Dset_extent(set.get(), &size) < 0) fail(path_, "dataset " + path + " cannot be shortened");
+  if (H5Dset_extent(set.get(), &size) < 0)
+    fail_to_write(path_, "dataset " + path + " cannot be shortened");
 }
 
 void H5File::write_texts(const std::string& path, const std::vector<std::string>& texts) {
@@ -311,7 +338,7 @@ void H5File::write_texts(const std::string& path, const std::vector<std::string>
                      H5Dclose);
     if (!set.is_valid() || (!texts.empty() && H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL,
                                                        H5P_DEFAULT, buffer.data()) < 0))
-      fail(path_, "text " + path + " cannot be written");
+      fail_to_write(path_, "text " + path + " cannot be written");
   }
   set_attribute(path, "unit", "1");
 }
@@ -341,7 +368,7 @@ void H5File::set_attribute(const std::string& path, const std::string& name,
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   if (!attribute.is_valid() || H5Awrite(attribute.get(), type.get(), padded.data()) < 0)
-    fail(path_, "attribute " + name + " of " + path + " cannot be written");
+    fail_to_write(path_, "attribute " + name + " of " + path + " cannot be written");
 }
 
 void H5File::set_attribute(const std::string& path, const std::string& name, double value) {
@@ -351,7 +378,7 @@ void H5File::set_attribute(const std::string& path, const std::string& name, dou
                                            space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
   if (!attribute.is_valid() || H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value) < 0)
-    fail(path_, "attribute " + name + " of " + path + " cannot be written");
+    fail_to_write(path_, "attribute " + name + " of " + path + " cannot be written");
 }
 
 bool H5File::has_attribute(const std::string& path, const std::string& name) const {

@@ -1,11 +1,13 @@
 // HDF5 behind one value: the only place that knows the library is hdf5.cpp. A dataset here is a
 // table of numbers (rows x width, one-dimensional when width is 1) with a `unit`, or a list of
-// texts. Every failure is a CaseError that names the file, the object and HDF5's own reason.
+// texts. A file that is not what was wanted is a CaseError that names file, object and HDF5's own
+// reason; what cannot be written is a StorageError.
 #pragma once
 #include <array>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,7 +59,9 @@ class H5File {
   H5File& operator=(const H5File&) = delete;
   H5File& operator=(H5File&&) = delete;
   ~H5File();
-  void close();  // writes all that is pending; throws where the destructor would stay silent
+  // Writes all that is pending; tells what the disk refused since the file was opened. Without it
+  // (the destructor) a written file counts for nothing.
+  void close();
 
   // --- The tree. Paths are absolute, "/snapshots/00000"; parents are made as needed.
   void make_group(const std::string& path);
@@ -101,13 +105,15 @@ class H5File {
     const void* data;
     Shape shape;
   };
-  H5File(std::filesystem::path path, std::int64_t id) : path_(std::move(path)), id_(id) {}
+  H5File(std::filesystem::path path, std::int64_t id, std::unique_ptr<int> refusal)
+      : path_(std::move(path)), id_(id), refusal_(std::move(refusal)) {}
   void write_block(const std::string& path, const Block& block, const Storage& storage);
   void read_block(const std::string& path, Number number, void* data) const;
   std::size_t rows_of(const std::string& path, std::size_t width) const;
 
   std::filesystem::path path_;
   std::int64_t id_ = -1;
+  std::unique_ptr<int> refusal_;  // of the disk, errno; none where the file is only read
 };
 
 // Marks a new file as ours: root attributes `format` and `format_version`.

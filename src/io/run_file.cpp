@@ -9,6 +9,7 @@
 #include "io/snapshot.hpp"
 #include "io/xdmf.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 
 namespace pmr::io {
 namespace {
@@ -60,27 +61,28 @@ void write_xdmf(const std::filesystem::path& dir) {
   replace_text(dir / "run.xdmf", xdmf_text(open_run(dir)));
 }
 
-// Changes a copy of run.h5 and puts it in the place of the original.
-void change_run(const std::filesystem::path& dir, const std::function<void(H5File&)>& change) {
+// Changes a copy of run.h5 and puts it in the place of the original. Who changes a run has written
+// it: a file that is no longer what it was is the disk's fault, not that of any input.
+void change_run(const std::filesystem::path& dir, const std::function<void(H5File&)>& change) try {
   static_cast<void>(open_run(dir));
   Replacement replacement(run_path(dir));
   std::error_code error;
   std::filesystem::copy_file(run_path(dir), replacement.temporary(),
                              std::filesystem::copy_options::overwrite_existing, error);
-  if (error)
-    throw CaseError({Fault{run_path(dir).string(), "", "cannot be copied: " + error.message()}});
+  if (error) throw StorageError(run_path(dir).string() + ": cannot be copied: " + error.message());
   H5File file = H5File::modify(replacement.temporary());
   change(file);
   file.close();
   replacement.commit();
   write_xdmf(dir);
+} catch (const CaseError& error) {
+  throw StorageError(error.what());
 }
 
 void make_folder(const std::filesystem::path& dir) {
   std::error_code error;
   std::filesystem::create_directories(dir, error);
-  if (error)
-    throw CaseError({Fault{dir.string(), "", "folder cannot be made: " + error.message()}});
+  if (error) throw StorageError(dir.string() + ": folder cannot be made: " + error.message());
 }
 
 }  // namespace
@@ -97,8 +99,11 @@ void create_run(const std::filesystem::path& dir, const RunHeader& header) {
   for (const auto& [key, value] : header.provenance) file.set_attribute("/provenance", key, value);
   file.close();
   // A checkpoint of an earlier run in this folder would resume the wrong run.
-  std::error_code ignored;
-  std::filesystem::remove(dir / "checkpoint.h5", ignored);
+  std::error_code error;
+  std::filesystem::remove(dir / "checkpoint.h5", error);
+  if (error)
+    throw StorageError((dir / "checkpoint.h5").string() +
+                       ": cannot be removed: " + error.message());
   replacement.commit();
   write_xdmf(dir);
 }

@@ -10,6 +10,7 @@
 #include "io/hdf5.hpp"
 #include "io/series.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 #include "samples.hpp"
 
 using namespace pmr;
@@ -231,7 +232,7 @@ TEST_CASE("A folder that cannot be written is named and left as it was") {
   const test::Folder folder("blocked");
   std::filesystem::create_directories(folder.path());
   std::ofstream(folder.path() / "file") << "not a folder";
-  CHECK_THROWS_AS(io::create_run(folder.path() / "file" / "run", test::header()), CaseError);
+  CHECK_THROWS_AS(io::create_run(folder.path() / "file" / "run", test::header()), StorageError);
   CHECK_THROWS_WITH(io::create_run(folder.path() / "file", test::header()),
                     Contains((folder.path() / "file").string()));
   CHECK_THROWS_WITH(io::save_checkpoint(folder.path() / "absent", State{}),
@@ -251,7 +252,7 @@ TEST_CASE("Foreign, cut and future files are refused with their name and what wa
   }
   CHECK_THROWS_WITH(io::read_header(folder.path()),
                     Contains("run.h5: pmr-run version 1 wanted, found pmr-run version 2"));
-  CHECK_THROWS_AS(io::append_run(folder.path(), test::rows(0.0, 1), {}), CaseError);
+  CHECK_THROWS_AS(io::append_run(folder.path(), test::rows(0.0, 1), {}), StorageError);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   CHECK_THROWS_WITH(io::read_header(folder.path()), Contains("run.h5: an HDF5 file of pmr wanted"));
   std::ofstream(path) << "no HDF5";
