@@ -11,7 +11,10 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <optional>
 
+#include "coupling/preconditioner.hpp"
+#include "coupling/sum_keeper.hpp"
 #include "coupling/vectors.hpp"
 #include "pmr/base/errors.hpp"
 
@@ -44,6 +47,22 @@ struct Frame {
   std::exception_ptr thrown = nullptr;
   double last_correction = 0.0;  // [1] of Newton's iteration, weighted
   double linearised_at = std::numeric_limits<double>::quiet_NaN();  // [s]
+  std::shared_ptr<const Linearisation> jacobian = nullptr;
+  std::optional<Preconditioner> preconditioner = {};
+  std::optional<SumKeeper> keeper = {};  // of `jacobian`
+
+  bool linearise(double t, In y) {
+    auto here = problem.linearise(t, y);
+    if (!here) return false;
+    keeper.reset();
+    jacobian = std::move(here);
+    linearised_at = t;
+    return true;
+  }
+  void keep_sums(double gamma, In b, Out x) {
+    if (!keeper || keeper->gamma() != gamma) keeper.emplace(jacobian, gamma);
+    keeper->mend(b, x);
+  }
 
   // 0 done, 1 recoverable, -1 give up.
   template <class Call>
@@ -83,23 +102,21 @@ int event(realtype t, N_Vector y, realtype* value, void* data) {
 int linearise(realtype t, N_Vector y, N_Vector, void* data) {
   Frame& f = frame_of(data);
   if (t == f.linearised_at) return 0;
-  f.linearised_at = t;
-  return f.guard([&] { return f.problem.linearise(t, view(y)), true; });
+  return f.guard([&] { return f.linearise(t, view(y)); });
 }
 
 int product(N_Vector v, N_Vector jv, realtype, N_Vector, N_Vector, void* data, N_Vector) {
   Frame& f = frame_of(data);
-  return f.guard([&] { return f.problem.product(view(v), view(jv)), true; });
+  return f.guard([&] { return product(*f.jacobian, view(v), view(jv)), true; });
 }
 
 int prepare(realtype t, N_Vector y, N_Vector, booleantype, booleantype* renewed, realtype gamma,
             void* data) {
   Frame& f = frame_of(data);
   *renewed = SUNTRUE;
-  f.linearised_at = t;
   return f.guard([&] {
-    f.problem.linearise(t, view(y));
-    f.problem.prepare(gamma);
+    if (!f.linearise(t, view(y))) return false;
+    f.preconditioner.emplace(*f.jacobian, gamma);
     return true;
   });
 }
@@ -107,7 +124,7 @@ int prepare(realtype t, N_Vector y, N_Vector, booleantype, booleantype* renewed,
 int precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
                  void* data) {
   Frame& f = frame_of(data);
-  return f.guard([&] { return f.problem.precondition(view(r), view(z)), true; });
+  return f.guard([&] { return f.preconditioner->solve(*f.jacobian, view(r), view(z)), true; });
 }
 
 // SPGMR's solve, its solution mended. What it iterates with belongs to CVODES, which knows us.
@@ -121,7 +138,7 @@ int solve(SUNLinearSolver solver, SUNMatrix none, N_Vector x, N_Vector b, realty
       CVodeGetCurrentGamma(cvode, &gamma) != CV_SUCCESS)
     return SUNLS_ATIMES_FAIL_UNREC;
   Frame& f = frame_of(data);
-  const int done = f.guard([&] { return f.problem.keep_sums(gamma, view(b), view(x)), true; });
+  const int done = f.guard([&] { return f.keep_sums(gamma, view(b), view(x)), true; });
   return done == 0 ? flag : SUNLS_ATIMES_FAIL_UNREC;
 }
 

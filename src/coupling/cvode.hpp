@@ -1,12 +1,15 @@
-// Stiff integration by CVODES (SUNDIALS): BDF of variable order, Newton, SPGMR with the caller's
-// Jacobian product and preconditioner, quadratures by the same BDF formula. SUNDIALS stays in
-// cvode.cpp; no exception crosses its C frames.
+// Stiff integration of the network by CVODES (SUNDIALS): BDF of variable order, Newton, SPGMR with
+// the product and the preconditioner of its Jacobian, quadratures by the same BDF formula. SUNDIALS
+// stays in cvode.cpp; no exception crosses its C frames.
 #pragma once
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
+
+#include "coupling/linearisation.hpp"
 
 namespace pmr::coupling {
 
@@ -17,15 +20,11 @@ using Out = std::span<double>;
 struct OdeProblem {
   std::function<bool(double t, In y, Out rate)> rate;
   std::function<bool(double t, In y, Out rate)> quadrature;
-  std::function<void(double t, In y)> linearise;  // fixes J(y) for `product` and `prepare`
-  std::function<void(In v, Out jv)> product;      // J v
-  // Mends an approximate solution x of (I - gamma J) x = b where its sums must hold exactly.
-  std::function<void(double gamma, In b, Out x)> keep_sums;
-  std::function<void(double gamma)> prepare;      // P = I - gamma J, approximately
-  std::function<void(In r, Out z)> precondition;  // z = P^-1 r
-  std::function<void(In y, Out weight)> weigh;    // 1/tolerance of each unknown
-  std::function<double(double t, In y)> event;    // empty: none; its first zero is told
-  std::size_t quadratures = 0;                    // [1] length of q
+  // J(t, y); none where y lies outside the domain of f.
+  std::function<std::shared_ptr<const Linearisation>(double t, In y)> linearise;
+  std::function<void(In y, Out weight)> weigh;  // 1/tolerance of each unknown
+  std::function<double(double t, In y)> event;  // empty: none; its first zero is told
+  std::size_t quadratures = 0;                  // [1] length of q
   // Unknowns from here on are solved for more strictly, for the books' sake.
   std::size_t strict_from = std::numeric_limits<std::size_t>::max();
 };

@@ -111,7 +111,6 @@ class Looked {
     has_heat_ = false;
     return look_anew(t, y, evaluate_without_heat);
   }
-  long times() const { return times_; }  // that it had to be evaluated
   const Evaluation& at() const { return at_; }
 
  private:
@@ -123,7 +122,6 @@ class Looked {
     is_valid_ = evaluate_at(system_, t, y, at_);
     t_ = t;
     y_.assign(y.begin(), y.end());
-    ++times_;
     return is_valid_;
   }
 
@@ -132,7 +130,6 @@ class Looked {
   double t_ = 0.0;
   std::vector<double> y_;
   bool is_valid_ = false, has_heat_ = false;
-  long times_ = 0;
 };
 
 }  // namespace
@@ -147,8 +144,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   if (!looked.look(from, y))
     throw NumericsError("heat and reaction network: its state lies outside the physics at t = " +
                         std::to_string(from) + " s");
-  Linearisation linear(system);
-  long fixed = 0;  // the look at which `linear` stands
+  const RowSums sums(system);
 
   OdeProblem problem;
   problem.rate = [&](double t, In now, Out rate) {
@@ -162,15 +158,10 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
     std::copy(values.begin(), values.end(), rate.begin());
     return true;
   };
-  problem.linearise = [&](double t, In now) {
-    if (!looked.look(t, now) || fixed == looked.times()) return;
-    linear.fix(t, now, looked.at());
-    fixed = looked.times();
+  problem.linearise = [&](double t, In now) -> std::shared_ptr<const Linearisation> {
+    if (!looked.look(t, now)) return nullptr;
+    return std::make_shared<const Linearisation>(system, sums, t, now, looked.at());
   };
-  problem.product = [&](In v, Out jv) { linear.product(v, jv); };
-  problem.keep_sums = [&](double gamma, In b, Out x) { linear.keep_sums(gamma, b, x); };
-  problem.prepare = [&](double gamma) { linear.prepare(gamma); };
-  problem.precondition = [&](In r, Out z) { linear.precondition(r, z); };
   const std::vector<double> absolute = tolerances(c, system, y, looked.at());
   problem.weigh = [&](In now, Out weight) {
     weigh(system, c.models.network.relative_tolerance, absolute, now, weight);

@@ -48,7 +48,7 @@ void list_profiles(const Case& c, const Outlook& outlook, System& system) {
       system.held_temperature[nodes.patch(k)] = held->temperature;
     const auto& column = nodes.columns[patch.surface];
     if (column.size() == 0) continue;
-    WallProfile profile{nodes.patch(k), patch.surface, patch.first_cell, patch.area, {}};
+    WallProfile profile{nodes.patch(k), patch.surface, patch.first_cell, patch.area, {}, {}};
     std::vector<double> temperature(column.size());
     profile.conductance.resize(column.size());
     physics::column_temperatures(
@@ -56,6 +56,7 @@ void list_profiles(const Case& c, const Outlook& outlook, System& system) {
         temperature);
     physics::column_conductances(column, c.materials, outlook.gas.pressure, temperature,
                                  profile.conductance);
+    for (const double per_area : column.capacity) profile.capacity.push_back(per_area * patch.area);
     system.stores[nodes.patch(k)] = 1;
     system.profiles.push_back(std::move(profile));
   }

@@ -35,6 +35,7 @@ struct WallProfile {
   std::uint32_t first_cell;
   double area;                      // [m2]
   std::vector<double> conductance;  // [W/m2/K] from cell to cell and to the outside
+  std::vector<double> capacity;     // [J/K] of each cell
 };
 
 struct System {

@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <memory>
 
 #include "chemistry/chamber.hpp"
 #include "chemistry/redox.hpp"
 #include "coupling/linearisation.hpp"
 #include "coupling/network.hpp"
 #include "coupling/retrace.hpp"
+#include "coupling/sum_keeper.hpp"
 #include "coupling/thermal_state.hpp"
 #include "pmr/base/constants.hpp"
 #include "sim/ledger.hpp"
@@ -259,9 +260,9 @@ Check kept_sums(GasAround around, const std::string& name) {
   const auto y = coupling::pack(system, pair.scene.state);
   const double gamma = 0.3;  // [s]
   coupling::Evaluation at;
-  coupling::Linearisation linear(system);
   coupling::evaluate(system, 1.0, y, at);
-  linear.fix(1.0, y, at);
+  const coupling::RowSums sums(system);
+  const auto J = std::make_shared<const coupling::Linearisation>(system, sums, 1.0, y, at);
   std::vector<double> b(y.size()), x(y.size()), product(y.size());
   for (std::size_t k = 0; k < y.size(); ++k) {
     b[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
@@ -270,7 +271,7 @@ Check kept_sums(GasAround around, const std::string& name) {
   // Relative to the sums; with pores to what is summed up: flows through them are far larger than
   // what comes of them.
   const auto worst_sum = [&] {
-    linear.product(x, product);
+    coupling::product(*J, x, product);
     std::vector<double> held = x, gross = x;
     for (std::size_t k = 0; k < held.size(); ++k) {
       held[k] -= gamma * product[k];
@@ -284,7 +285,7 @@ Check kept_sums(GasAround around, const std::string& name) {
     return worst;
   };
   const double before = worst_sum();
-  linear.keep_sums(gamma, b, x);
+  coupling::SumKeeper(J, gamma).mend(b, x);
   return {"coupling.kept_sums." + name,
           "A linear solve's sums of energy and oxygen, once mended (they were " +
               std::to_string(before) + " off)",
@@ -304,10 +305,9 @@ Check jacobian(GasAround around, const std::string& name) {
   std::vector<double> v(y.size()), product(y.size()), up(y.size()), down(y.size());
   for (std::size_t k = 0; k < y.size(); ++k) v[k] = 1e-5 * y[k] * (k % 2 == 0 ? 1.0 : -0.7);
   coupling::Evaluation at;
-  coupling::Linearisation linear(system);
   coupling::evaluate(system, 1.0, y, at);
-  linear.fix(1.0, y, at);
-  linear.product(v, product);
+  const coupling::RowSums sums(system);
+  coupling::product(coupling::Linearisation(system, sums, 1.0, y, at), v, product);
   const auto rates = [&](double sign, std::vector<double>& out) {
     std::vector<double> shifted = y;
     for (std::size_t k = 0; k < y.size(); ++k) shifted[k] += sign * v[k];
