@@ -68,7 +68,7 @@ struct Scene {
                                 {held, lined, 3e-3, 0.0},
                                 {held, n.gas(), 0.0, 1e-4}};
     std::vector<HeatLink> factors{
-        {0, sky, 1e-6, 0.0}, {1, sky, 2e-6, 0.0}, {lined, sky, 1e-6, 0.0}};
+        {0, sky, 1e-6, 0.0}, {1, sky, 2e-6, 0.0}, {2, sky, 3e-6, 0.0}, {lined, sky, 1e-6, 0.0}};
     if (all) {
       links = {{0, 1, 1e-3, 2e-3},         {0, held, 1e-3, 0.0}, {0, lined, 4e-3, 0.0},
                {0, n.gas(), 0.0, 1e-4},    {1, 2, 2e-3, 0.0},    {2, lined, 1e-3, 0.0},

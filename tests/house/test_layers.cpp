@@ -155,6 +155,25 @@ TEST_CASE("A foreign library stands in a file of its own") {
       }
 }
 
+TEST_CASE("Every source file is listed in a CMakeLists.txt") {
+  std::set<fs::path> sources, listed;
+  for (const char* top : {"physics", "radiation", "chemistry", "src", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (entry.path().extension() == ".cpp") sources.insert(entry.path());
+      if (entry.path().filename() != "CMakeLists.txt") continue;
+      std::ifstream in(entry.path());
+      for (std::string word; in >> word;) {
+        std::erase_if(word, [](char c) { return c == '(' || c == ')'; });
+        listed.insert((entry.path().parent_path() / word).lexically_normal());
+      }
+    }
+  CHECK(sources.size() > 100);
+  for (const fs::path& source : sources) {
+    INFO(source);
+    CHECK(listed.count(source) == 1);
+  }
+}
+
 TEST_CASE("No file of ours is longer than 500 lines") {
   for (const char* top : {"include", "physics", "radiation", "chemistry", "src", "tests"})
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
