@@ -77,7 +77,8 @@ def dump_now(file: str) -> str:
 
 
 def version() -> str:
-    shown = subprocess.run(["liggghts", "-log", "none", "-h"], capture_output=True, text=True, check=False).stdout
+    asked = ["liggghts", "-log", "none", "-h"]
+    shown = subprocess.run(asked, capture_output=True, text=True, check=False).stdout
     found = re.search(r"Version LIGGGHTS-\w+ ([\d.]+)", shown)
     return f"LIGGGHTS {found[1]}" if found else "LIGGGHTS"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Speed of the ray tracer in the settled bed of 193,132 spheres, against plain Embree on the same rays.
+"""Speed of the ray tracer in the settled bed of 193,132 spheres, against plain Embree.
 
 Three samples of each number of rays; bench_tracing (C++) measures, this keeps its lines.
 """
@@ -33,7 +33,8 @@ def main() -> int:
                         help="per granule [200,1000]")
     parser.add_argument("--samples", type=int, default=3, help="of each [%(default)s]")
     options = parser.parse_args()
-    arguments.require([] if BINARY.exists() else [f"{BINARY} (ninja -C build/release bench_tracing)"])
+    missing = f"{BINARY} (ninja -C build/release bench_tracing)"
+    arguments.require([] if BINARY.exists() else [missing])
     dump = scenarios.prepare(options.work, "settled", SIZE).dump
     rows = []
     for rays in options.rays * options.samples:

@@ -26,7 +26,12 @@ constexpr const char* bed_text = R"(
 title = "A bed for radiation"
 gravity = "0 0 -9.80665 m/s2"
 domain = {low = "-30 -30 -5 mm", high = "30 30 90 mm"}
-species.ball = {material = "Al2O3", diameter = "2 mm", count = 6000, temperature = "1000 K", region = {base = "0 0 0 mm", radius = "20 mm", height = "55 mm"}}
+[species.ball]
+material = "Al2O3"
+diameter = "2 mm"
+count = 6000
+temperature = "1000 K"
+region = {base = "0 0 0 mm", radius = "20 mm", height = "55 mm"}
 [walls.floor]
 kind = "disc"
 material = "coated-wall"

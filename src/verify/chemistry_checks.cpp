@@ -275,7 +275,13 @@ void add_ceria(std::vector<Check>& checks) {
 title = "Ceria"
 gravity = "none"
 domain = {low = "-1 -1 -1 m", high = "1 1 1 m"}
-species.grain = {material = "CeO2", diameter = "1 mm", count = 1, temperature = "1500 degC", delta = 0.01, region = {base = "0 0 0 mm", radius = "2 mm", height = "5 mm"}}
+[species.grain]
+material = "CeO2"
+diameter = "1 mm"
+count = 1
+temperature = "1500 degC"
+delta = 0.01
+region = {base = "0 0 0 mm", radius = "2 mm", height = "5 mm"}
 [fill]
 duration = "1 s"
 rest_speed = "2 mm/s"

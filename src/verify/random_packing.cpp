@@ -112,7 +112,12 @@ constexpr const char* free_spheres = R"(
 title = "Spheres without walls"
 gravity = "none"
 domain = {low = "-1 -1 -1 m", high = "1 1 1 m"}
-species.ball = {material = "Al2O3", diameter = "1 mm", count = 1, temperature = "1000 K", region = {base = "0 0 0 mm", radius = "2 mm", height = "5 mm"}}
+[species.ball]
+material = "Al2O3"
+diameter = "1 mm"
+count = 1
+temperature = "1000 K"
+region = {base = "0 0 0 mm", radius = "2 mm", height = "5 mm"}
 [fill]
 duration = "1 s"
 rest_speed = "2 mm/s"

@@ -102,8 +102,13 @@ centre = "0 0 1 cm"
 axis = [0, 0, -1]
 radius = "5 cm"
 inner_radius = "1 cm"
-motion = {kind = "fall", release = "0.1 s", stroke = "4 cm", direction = [0, 0, -1], acceleration = "9.81 m/s2"}
 thermal = {kind = "fixed", temperature = "300 K"}
+[walls.disc.motion]
+kind = "fall"
+release = "0.1 s"
+stroke = "4 cm"
+direction = [0, 0, -1]
+acceleration = "9.81 m/s2"
 [walls.tube]
 kind = "cylinder"
 material = "coated-wall"
@@ -116,7 +121,12 @@ patches = [4, 2]
 from = "1 s"
 until = "2 s"
 motion = {kind = "rotate", pivot = "0 0 0 m", axis = [0, 0, 1], rate = "60 rpm", begin = "0 s"}
-thermal = {kind = "lining", layers = [{material = "fibre-board", thickness = "12 cm"}], initial_temperature = "20 degC", outside_film_coefficient = "8 W/m2/K", outside_temperature = "20 degC"}
+[walls.tube.thermal]
+kind = "lining"
+layers = [{material = "fibre-board", thickness = "12 cm"}]
+initial_temperature = "20 degC"
+outside_film_coefficient = "8 W/m2/K"
+outside_temperature = "20 degC"
 [walls.hopper]
 kind = "cone"
 material = "coated-wall"

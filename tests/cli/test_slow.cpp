@@ -8,8 +8,8 @@
 namespace {
 
 nlohmann::json summary_of(const std::string& arguments, const std::filesystem::path& out) {
-  const Said said = pmr_says("run " + (source_dir / "cases" / arguments).string() + " -o " +
-                             out.string());
+  const Said said =
+      pmr_says("run " + (source_dir / "cases" / arguments).string() + " -o " + out.string());
   INFO(said.text);
   REQUIRE(said.status == 0);
   std::ifstream in(out / "summary.json");

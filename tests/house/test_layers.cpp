@@ -107,6 +107,12 @@ std::string resolve(const std::string& target) {
   return {};
 }
 
+// Letters of a UTF-8 line: all bytes but those that continue a letter.
+std::ptrdiff_t columns(const std::string& line) {
+  return std::count_if(line.begin(), line.end(),
+                       [](unsigned char byte) { return (byte & 0xC0) != 0x80; });
+}
+
 bool reaches(const std::map<std::string, std::set<std::string>>& graph, const std::string& from,
              const std::string& to, std::set<std::string>& seen) {
   const auto edges = graph.find(from);
@@ -172,6 +178,25 @@ TEST_CASE("Every source file is listed in a CMakeLists.txt") {
     INFO(source);
     CHECK(listed.count(source) == 1);
   }
+}
+
+TEST_CASE("No line of ours is wider than 100 columns") {
+  const std::set<std::string> kinds{".cpp", ".hpp", ".js", ".css", ".py", ".cmake", ".txt", ""};
+  std::size_t files = 0;
+  for (const char* top :
+       {"include", "physics", "radiation", "chemistry", "src", "tests", "bench", "scripts", ".ci"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || kinds.count(entry.path().extension()) == 0) continue;
+      ++files;
+      std::ifstream in(entry.path());
+      std::size_t number = 0;
+      for (std::string line; std::getline(in, line);) {
+        ++number;
+        INFO(entry.path() << ":" << number);
+        if (columns(line) > 100) CHECK(columns(line) <= 100);
+      }
+    }
+  CHECK(files > 400);
 }
 
 TEST_CASE("No file of ours is longer than 500 lines") {

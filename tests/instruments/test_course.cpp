@@ -96,7 +96,7 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
   // w = 2 in every section by the stated densities, against 3 and 2; alike left and right.
   CHECK_THAT(layers[1], Catch::EndsWith(",2,2,0,3,0.33333333333333337"));
   CHECK_THAT(layers[2], Catch::EndsWith(",2,2,0,2,0"));
-  const double sphere = 4.0 / 3.0 * pi * 0.0005 * 0.0005 * 0.0005;  // [m3]
+  const double sphere = 4.0 / 3.0 * pi * 0.0005 * 0.0005 * 0.0005;               // [m3]
   CHECK(std::stod(layers[3].substr(2)) == Approx(0.25 * 32 * 3000.0 * sphere));  // the residuum
   CHECK_THAT(layers[3], Catch::EndsWith(",nan,nan"));
   CHECK(lines(dir / "sections.csv").size() == 1 + 2 * 8);

@@ -67,7 +67,8 @@ TEST_CASE("Datasets that run.xdmf refers to exist with the sizes it says") {
   const std::string text = sample_text(folder.path());
   const io::H5File run = io::H5File::open(folder.path() / "run.h5");
   const std::regex item(
-      R"re(<DataItem Dimensions="(\d+)( 3)?" NumberType="(\w+)" Precision="(\d)" Format="HDF">run\.h5:([^<]*)<)re");
+      R"re(<DataItem Dimensions="(\d+)( 3)?" NumberType="(\w+)" Precision="(\d)" )re"
+      R"re(Format="HDF">run\.h5:([^<]*)<)re");
   std::size_t count = 0;
   for (std::sregex_iterator it(text.begin(), text.end(), item), end; it != end; ++it, ++count) {
     const std::string path = (*it)[5];

@@ -55,11 +55,14 @@ TEST_CASE("Settings follow the variables and the constants through their express
 }
 
 TEST_CASE("Levels set what belongs together") {
-  const auto plan = study::make_plan(read(response + R"(
+  const auto plan =
+      study::make_plan(read(response + R"(
 [variables.pair]
 levels = [
-  {name = "1100 / 700", settings = {"species.Al2O3.temperature" = "1100 degC", "species.SrFeO3.temperature" = "700 degC"}},
-  {name = "400 / 200", settings = {"species.Al2O3.temperature" = "400 degC", "species.SrFeO3.temperature" = "200 degC"}},
+  {name = "1100 / 700", settings = {"species.Al2O3.temperature" = "1100 degC",)"
+                                       R"( "species.SrFeO3.temperature" = "700 degC"}},
+  {name = "400 / 200", settings = {"species.Al2O3.temperature" = "400 degC",)"
+                                       R"( "species.SrFeO3.temperature" = "200 degC"}},
 ]
 )"));
   REQUIRE(plan.runs.size() == 2);
