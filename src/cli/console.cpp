@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cli/shipped_cases.hpp"
 #include "cli/start.hpp"
 #include "cli/verbs.hpp"
 #include "pmr/base/errors.hpp"
@@ -41,7 +42,10 @@ struct Parser {
 
   void add_run() {
     auto* run_verb = app.add_subcommand("run", "run a case: the whole chain, then its report");
-    run_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
+    run_verb
+        ->add_option("CASE", run_options.case_file,
+                     "case file (TOML), or the name of a shipped case")
+        ->required();
     run_verb->add_option("-o,--output", run_options.folder, "run folder [out/<case>]");
     run_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
         ->expected(1)
@@ -50,7 +54,12 @@ struct Parser {
     add_mechanics(run_verb);
     run_verb->add_option("--threads", run_options.threads, "threads [all cores]")
         ->check(CLI::Range(0, 1024));
-    run_verb->callback([this] { action = [this] { return run(run_options); }; });
+    run_verb->callback([this] {
+      action = [this] {
+        run_options.case_file = find_case(run_options.case_file);
+        return run(run_options);
+      };
+    });
 
     auto* resume_verb = app.add_subcommand("resume", "go on from a run's last checkpoint");
     resume_verb->add_option("DIR", run_options.folder, "run folder")->required();
@@ -63,14 +72,18 @@ struct Parser {
     });
 
     auto* check_verb = app.add_subcommand("check", "validate a case, print derived figures");
-    check_verb->add_option("CASE", run_options.case_file, "case file (TOML)")->required();
+    check_verb
+        ->add_option("CASE", run_options.case_file,
+                     "case file (TOML), or the name of a shipped case")
+        ->required();
     check_verb->add_option("--set", run_options.sets, "key=value of the case, may be repeated")
         ->expected(1)
         ->take_all();
     add_bed(check_verb);
     add_mechanics(check_verb);
-    check_verb->callback(
-        [this] { action = [this] { return check(run_options.case_file, run_options.sets); }; });
+    check_verb->callback([this] {
+      action = [this] { return check(find_case(run_options.case_file), run_options.sets); };
+    });
   }
 
   void add_reference(CLI::App* verb) {
@@ -92,7 +105,9 @@ struct Parser {
 
   void add_sweep() {
     auto* verb = app.add_subcommand("sweep", "a design study: many runs, one table, one report");
-    verb->add_option("STUDY", sweep_options.study_file, "study file (TOML)")->required();
+    verb->add_option("STUDY", sweep_options.study_file,
+                     "study file (TOML), or the name of a shipped study")
+        ->required();
     verb->add_option("-o,--output", sweep_options.folder, "study folder [out/<study>]");
     verb->add_option("--set", sweep_options.sets,
                      "key=value: a constant of the study, or a key of every case; repeatable")
@@ -105,7 +120,12 @@ struct Parser {
     verb->add_option("--engine", sweep_options.engine, "local, or slurm: job arrays by sbatch")
         ->check(CLI::IsMember({"local", "slurm"}));
     verb->add_flag("--plan", sweep_options.only_plan, "only say what would be done");
-    verb->callback([this] { action = [this] { return sweep(sweep_options); }; });
+    verb->callback([this] {
+      action = [this] {
+        sweep_options.study_file = find_study(sweep_options.study_file);
+        return sweep(sweep_options);
+      };
+    });
   }
 
   void add_looks() {
