@@ -64,7 +64,7 @@ Mechanics::Mechanics(const Case& c)
 
 // Half kick, drift, forces, half kick. The half kicks that meet between two sub-steps and the drift
 // go in one pass with the forces, block by block.
-void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings) {
+void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings, StopToken stop) {
   const double begin = state.time;
   double now = begin;
   Stages stages;
@@ -72,6 +72,7 @@ void Mechanics::advance(State& state, std::uint64_t sub_steps, Timings& timings)
   if (state.step == 0 && sub_steps > 0) opening_forces();
   if (sub_steps > 0) timed(stages.kick, [&] { opening_drift(); });
   for (std::uint64_t k = 1; k <= sub_steps; ++k) {
+    stop.check();
     const double before = now;
     now = begin + static_cast<double>(k) * leapfrog_.dt;
     walls_.place(now);

@@ -9,6 +9,7 @@
 #include "physics/pair_contacts.hpp"
 #include "physics/spheres.hpp"
 #include "physics/wall_contacts.hpp"
+#include "pmr/base/stop.hpp"
 #include "pmr/base/timer.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
@@ -27,9 +28,9 @@ class Mechanics {
   // contacts, without weight), both contact histories, time, step, lost, extremes and
   // fluxes.dissipated and elastic_energy (kinetic + potential + elastic
   // energy + dissipated change by the work of moving walls only). Throws NumericsError, when a
-  // particle's motion is no longer finite; the state is then the one before the call (perhaps in
-  // another order).
-  void advance(State& state, std::uint64_t sub_steps, Timings& timings);
+  // particle's motion is no longer finite, and Stopped; the state is then the one before the call
+  // (perhaps in another order).
+  void advance(State& state, std::uint64_t sub_steps, Timings& timings, StopToken stop = {});
 
  private:
   struct Stages {

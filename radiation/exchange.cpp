@@ -7,6 +7,7 @@
 
 #include "pmr/base/errors.hpp"
 #include "pmr/base/parallel.hpp"
+#include "radiation/dealing.hpp"
 #include "radiation/emission.hpp"
 #include "radiation/symmetry.hpp"
 
@@ -40,24 +41,38 @@ double emission(const ExchangeInput& input, std::uint32_t node) {
   return input.emissivity[node] * input.area[node];  // [m2]
 }
 
-// Rays of each node: in proportion to its emission, at least one.
-std::vector<std::uint64_t> deal_rays(const ExchangeInput& input, const Emitters& emitters) {
+struct Rays {
+  std::vector<std::uint64_t> sent;  // [1] per node; 0: does not emit
+  std::vector<double> thinning;     // [1] per node, at least 1: wanted over sent
+};
+
+// In proportion to what each node emits, at least one, measured by the sphere that emits least.
+Rays deal_rays(const ExchangeInput& input, const Emitters& emitters) {
   double least_sphere = std::numeric_limits<double>::infinity();  // [m2]
-  double least_node = least_sphere;                               // [m2]
   const auto emits = [&](std::uint32_t node) {
     const bool reservoir = !input.reservoir.empty() && input.reservoir[node] != 0;
     return !reservoir && emission(input, node) > 0.0 && emitters.has_surface(node);
   };
   for (const Sphere& s : input.spheres)
     if (emits(s.node)) least_sphere = std::min(least_sphere, emission(input, s.node));
+  std::vector<std::uint32_t> nodes;
+  std::vector<double> emissions;  // [m2]
   for (std::uint32_t node = 0; node + 1 < input.nodes; ++node)
-    if (emits(node)) least_node = std::min(least_node, emission(input, node));
-  const double least = std::isfinite(least_sphere) ? least_sphere : least_node;
-  std::vector<std::uint64_t> rays(input.nodes, 0);
-  for (std::uint32_t node = 0; node + 1 < input.nodes; ++node)
-    if (emits(node))
-      rays[node] = static_cast<std::uint64_t>(
-          std::max(1.0, std::round(input.rays * emission(input, node) / least)));
+    if (emits(node)) {
+      nodes.push_back(node);
+      emissions.push_back(emission(input, node));
+    }
+  Rays rays{std::vector<std::uint64_t>(input.nodes, 0), std::vector<double>(input.nodes, 1.0)};
+  if (nodes.empty()) return rays;
+  const double least = std::isfinite(least_sphere)
+                           ? least_sphere
+                           : *std::min_element(emissions.begin(), emissions.end());
+  const Dealing dealing = deal(emissions, least, input.rays);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const double sent = dealing.sent(emissions[k]);
+    rays.sent[nodes[k]] = static_cast<std::uint64_t>(sent);
+    rays.thinning[nodes[k]] = dealing.wanted(emissions[k]) / sent;
+  }
   return rays;
 }
 
@@ -89,6 +104,7 @@ std::uint32_t fly(const Setup& setup, Departure departure, std::uint32_t node, s
 }
 
 UnitResult trace_unit(const Setup& setup, const Unit& unit) {
+  setup.input.stop.check();
   const QuasiPoints quasi(setup.input.seed, unit.node, setup.input.step);
   const auto rays = static_cast<double>(setup.rays[unit.node]);
   UnitResult result;
@@ -143,9 +159,9 @@ Exchange trace(const ExchangeInput& input) {
   check(input);
   const Tracer tracer(input.spheres, input.triangles);
   const Emitters emitters(tracer.scene(), input.nodes);
-  const std::vector<std::uint64_t> rays = deal_rays(input, emitters);
-  const Setup setup{input, tracer, emitters, rays};
-  const std::vector<Unit> units = cut_into_units(rays, emitters);
+  Rays rays = deal_rays(input, emitters);
+  const Setup setup{input, tracer, emitters, rays.sent};
+  const std::vector<Unit> units = cut_into_units(rays.sent, emitters);
   std::vector<UnitResult> results(units.size());
   parallel_for(
       units.size(), [&](std::size_t k) { results[k] = trace_unit(setup, units[k]); },
@@ -160,7 +176,8 @@ Exchange trace(const ExchangeInput& input) {
     traced.rays += static_cast<double>(units[k].last - units[k].first);
     emissions[units[k].node] = emission(input, units[k].node);
   }
-  Symmetric symmetric = symmetrise({std::move(counts), rays, emissions});
+  Symmetric symmetric = symmetrise(
+      {std::move(counts), std::move(rays.sent), std::move(rays.thinning), std::move(emissions)});
   traced.factor = std::move(symmetric.factor);
   traced.emissivity = traced.traced_emissivity = input.emissivity;
   traced.relative_error = symmetric.relative_error;

@@ -4,7 +4,8 @@
 //
 // A wall's back absorbs and reflects like its face but emits nothing: close what rays may see.
 // Rays are dealt in proportion to eps_i A_i, so that all carry about the same power c and the mean
-// of the two directions, G_ij = (c_i n_ij + c_j n_ji)/2, is close to the best estimate of the two.
+// of the two directions, G_ij = (c_i n_ij + c_j n_ji)/2, is close to the best estimate of the two;
+// where an emitter has to send fewer (radiation/dealing.hpp) each direction weighs as 1/c.
 // Then G_ij *= s_i s_j brings each row's sum to eps_i A_i. G stays symmetric bit by bit, so that an
 // isothermal system exchanges exactly nothing, however few the rays.
 #pragma once
@@ -12,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "pmr/base/stop.hpp"
 #include "pmr/state/state.hpp"
 #include "radiation/tracer.hpp"
 
@@ -29,8 +31,10 @@ struct ExchangeInput {
   // Per node, 1: of given temperature, absorbs and needs no rays of its own, like the surroundings;
   // empty: none.
   std::vector<char> reservoir = {};
+  StopToken stop = {};
 };
 
+// Throws Stopped when asked to.
 Exchange trace(const ExchangeInput& input);  // traced_at is the caller's to set
 
 // The factors after emissivities have changed a little: each times s_i s_j, so that rows sum up to

@@ -69,9 +69,8 @@ void for_each_partner(std::span<const Count> out, std::span<const Count> in, con
   }
 }
 
-// The mean of the two estimates of each factor. Surroundings and reservoirs do not emit: their
-// columns are one-sided. Also the mean over rows of the Poisson error of the factor with most rays,
-// surroundings left out.
+}  // namespace
+
 Symmetric merge(const Counted& counted) {
   const Received received = transpose(counted.rows);
   const std::size_t nodes = counted.rows.size();
@@ -101,8 +100,10 @@ Symmetric merge(const Counted& counted) {
     for_each_partner(counted.rows[i], received.of(i),
                      [&](std::uint32_t j, std::uint64_t sent, std::uint64_t back) {
                        const bool one_sided = counted.rays[i] == 0 || counted.rays[j] == 0;
-                       const double both = power(i, sent) + power(j, back);
-                       const double value = one_sided ? both : 0.5 * both;
+                       const double ci = counted.thinning[i], cj = counted.thinning[j];
+                       const double value =
+                           one_sided ? power(i, sent) + power(j, back)
+                                     : (cj * power(i, sent) + ci * power(j, back)) / (ci + cj);
                        if (j == i) {
                          result.self[i] = value;
                          return;
@@ -120,8 +121,6 @@ Symmetric merge(const Counted& counted) {
   result.relative_error = rows > 0.0 ? sum / rows : 0.0;
   return result;
 }
-
-}  // namespace
 
 Tally::Tally(std::size_t rays) : slot_(std::bit_ceil(2 * rays + 1)) {}
 

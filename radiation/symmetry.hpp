@@ -31,6 +31,7 @@ void add_counts(CountRow& sum, CountRow&& row);
 struct Counted {
   std::vector<CountRow> rows;       // [nodes] n_ij: rays of i absorbed by j; last: surroundings
   std::vector<std::uint64_t> rays;  // [nodes] emitted by i; 0: does not emit
+  std::vector<double> thinning;     // [nodes] times the power that a ray of the others carries
   std::vector<double> emission;     // [nodes] eps_i A_i [m2]
 };
 
@@ -41,6 +42,13 @@ struct Symmetric {
   double relative_error = 0.0;  // [1] mean over rows of 1/sqrt(n) of the largest factor's n
 };
 
+// The mean of the two estimates of each factor, each weighed with the inverse of its variance: as
+// 1/c, c the power that a ray carries. Surroundings and reservoirs do not emit: their columns are
+// one-sided. Also the mean over rows of the Poisson error of the factor with most rays,
+// surroundings left out.
+Symmetric merge(const Counted& counted);
+
+// The same with its row sums put right.
 Symmetric symmetrise(const Counted& counted);
 
 // Multiplies each factor with s_i s_j so that rows, diagonal `self` included, sum up to eps_i A_i

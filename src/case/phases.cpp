@@ -117,7 +117,7 @@ OutputCase read_output(Table& root) {
   const Node* node = root.look_table("output");
   Table table(root.reading(), node == nullptr ? empty : *node, "output");
   OutputCase output{};
-  output.snapshot_interval = table.value("snapshot_interval", a_duration, 0.05);
+  output.snapshot_interval = table.value("snapshot_interval", a_duration, 0.04);
   output.snapshot_times = table.values("snapshot_times", a_time, {});
   output.checkpoint_wall_time = table.value("checkpoint_wall_time", a_duration, 60.0);
   output.cut_point = table.vector("cut_point", Dimension::length, Vec3::Zero());

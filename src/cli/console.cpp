@@ -1,9 +1,11 @@
 #include "cli/console.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
+#include "case/nearest.hpp"
 #include "cli/shipped_cases.hpp"
 #include "cli/start.hpp"
 #include "cli/verbs.hpp"
@@ -161,10 +163,23 @@ struct Parser {
   }
 };
 
+// A first word that is no verb: CLI11 would answer "pmr frobnicate --help" with the help.
+std::string verb_fault(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return "";
+  return casefile::unknown_word("verb", argv[1], verbs);
+}
+
 }  // namespace
 
 int console(int argc, char** argv) {
   Parser parser(typed(argc, argv));
+  if (const std::string fault = verb_fault(parser.app, argc, argv); !fault.empty()) {
+    std::fprintf(stderr, "pmr: %s\n", fault.c_str());
+    return wrong_input;
+  }
   try {
     parser.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -174,6 +189,9 @@ int console(int argc, char** argv) {
     return parser.action();
   } catch (const CaseError& error) {
     std::fprintf(stderr, "%s\n", error.what());
+    return wrong_input;
+  } catch (const std::filesystem::filesystem_error& error) {  // of a path that the user named
+    std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
     return wrong_input;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pmr: %s\n", error.what());

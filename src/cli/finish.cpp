@@ -67,8 +67,10 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
   instruments::write_instruments(record.folder, simulation.setup(), series,
                                  simulation.state().particles);
   print_headline(simulation, balance);
-  report::write_report({record.folder}, record.folder / "report.html");
-  log_info("report   " + (record.folder / "report.html").string());
+  if (completed) {
+    report::write_report({record.folder}, record.folder / "report.html");
+    log_info("report   " + (record.folder / "report.html").string());
+  }
   for (const std::string& reason : reasons) log_error(reason);
   if (!reasons.empty()) return failed;
   if (completed) return done;
@@ -80,7 +82,18 @@ int finish_failed(const sim::Simulation& simulation, const RunRecord& record,
                   const std::string& why) {
   log_error(why);
   summarise(simulation, record, "failed", io::read_series(record.folder));
-  log_info("the last checkpoint stands; see it again with: pmr resume " + record.folder.string());
+  log_info("the last interval before it is saved; see it again with: pmr resume " +
+           record.folder.string());
+  return failed;
+}
+
+int finish_unsaved(const std::filesystem::path& folder, const std::string& why) {
+  log_error(why);
+  log_error(
+      io::has_checkpoint(folder)
+          ? "what was saved before stands; once the disk can be written, go on with: pmr resume " +
+                folder.string()
+          : "nothing was saved that could be gone on from; begin again with: pmr run");
   return failed;
 }
 

@@ -85,7 +85,7 @@ void Progress::show(const sim::Simulation& simulation) {
   std::fflush(stderr);
 }
 
-void Progress::finish() const {
+Progress::~Progress() {
   if (is_terminal_ && shown_) std::fputc('\n', stderr);
 }
 

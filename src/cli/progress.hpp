@@ -11,8 +11,10 @@ namespace pmr::cli {
 class Progress {
  public:
   Progress();
+  ~Progress();  // leaves the last line standing
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
   void show(const sim::Simulation& simulation);
-  void finish() const;  // leaves the line standing
 
  private:
   std::string line(const sim::Simulation& simulation) const;

@@ -23,9 +23,21 @@ namespace pmr::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// A page takes its time: told before it is drawn.
+void require_folder_of(const fs::path& file) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (!fs::is_directory(folder))
+    throw CaseError({{folder.string(), "", "there is no such folder"}});
+}
+
+}  // namespace
+
 int report(const std::vector<fs::path>& folders, fs::path html,
            const report::ReportWishes& wishes) {
   if (html.empty()) html = folders.size() == 1 ? folders.front() / "report.html" : "compare.html";
+  require_folder_of(html);
   report::write_report(folders, html, wishes);
   fmt::print("{}\n", html.string());
   return done;
@@ -35,6 +47,7 @@ int render(const RenderOptions& options) {
   const auto colour = options.colour == "delta"     ? report::Colour::delta
                       : options.colour == "species" ? report::Colour::species
                                                     : report::Colour::temperature;
+  require_folder_of(options.png);
   report::render_picture(options.folder, options.time, colour, options.png);
   fmt::print("{}\n", options.png.string());
   return done;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "cli/console.hpp"
+#include "cli/log.hpp"
 #include "cli/stop_signal.hpp"
 #include "cli/sweep_progress.hpp"
 #include "cli/verbs.hpp"
@@ -43,58 +44,62 @@ void print_plan(const study::Study& study, const study::Plan& plan,
     seconds += job.seconds;
     runs_left += job.name.rfind("mixing ", 0) == 0 ? 0 : 1;
   }
-  fmt::print("{}\n", study.title);
-  fmt::print("design   {} runs ({} points, {} of each), {} mixing{} shared by them\n",
-             plan.runs.size(), plan.runs.size() / study.replicates, study.replicates,
-             plan.mixings.size(), plan.mixings.size() == 1 ? "" : "s");
-  if (faulty > 0) fmt::print("wrong    {} runs whose case cannot be made; see the table\n", faulty);
-  fmt::print("to do    {} mixings and {} runs, {} at once, {} thread{} each\n",
-             jobs.size() - runs_left, runs_left, share.at_once, share.threads,
-             share.threads == 1 ? "" : "s");
+  say(fmt::format("{}\n", study.title));
+  say(fmt::format("design   {} runs ({} points, {} of each), {} mixing{} shared by them\n",
+                  plan.runs.size(), plan.runs.size() / study.replicates, study.replicates,
+                  plan.mixings.size(), plan.mixings.size() == 1 ? "" : "s"));
+  if (faulty > 0)
+    say(fmt::format("wrong    {} runs whose case cannot be made; see the table\n", faulty));
+  say(fmt::format("to do    {} mixings and {} runs, {} at once, {} thread{} each\n",
+                  jobs.size() - runs_left, runs_left, share.at_once, share.threads,
+                  share.threads == 1 ? "" : "s"));
   const double parallel = static_cast<double>(share.at_once) * share.threads;
   const double hours = seconds / parallel / 3600.0;
-  fmt::print("forecast at most {}\n", hours < 2.0 ? fmt::format("{:.0f} min", 60.0 * hours)
-                                                  : fmt::format("{:.1f} h", hours));
-  std::fflush(stdout);
+  say(fmt::format("forecast at most {}\n", hours < 2.0 ? fmt::format("{:.0f} min", 60.0 * hours)
+                                                       : fmt::format("{:.1f} h", hours)));
 }
 
-void print_results(const study::Results& results, const fs::path& folder) {
+void print_results(const study::Results& results, const fs::path& folder, bool stopped) {
   std::map<std::string, std::size_t> count;
   for (const study::Row& row : results.rows) ++count[row.status];
   for (const study::Row& row : results.rows)
-    if (row.status == "failed") fmt::print("failed   {}: {}\n", row.name, row.reason);
-  for (const std::string& warning : results.warnings) fmt::print("warning  {}\n", warning);
-  fmt::print("runs     {} completed, {} failed, {} missing\n", count["completed"], count["failed"],
-             count["missing"]);
-  fmt::print("table    {}\n", (folder / "study.csv").string());
-  fmt::print("report   {}\n", (folder / "report.html").string());
+    if (row.status == "failed") say(fmt::format("failed   {}: {}\n", row.name, row.reason));
+  for (const std::string& warning : results.warnings) say(fmt::format("warning  {}\n", warning));
+  say(fmt::format("runs     {} completed, {} failed, {} missing\n", count["completed"],
+                  count["failed"], count["missing"]));
+  say(fmt::format("table    {}\n", (folder / "study.csv").string()));
+  if (!stopped) say(fmt::format("report   {}\n", (folder / "report.html").string()));
 }
 
-int status_of(const study::Results& results, const fs::path& folder) {
+int status_of(const study::Results& results, const fs::path& folder, bool stopped) {
   const auto is = [&](const char* status) {
     return std::any_of(results.rows.begin(), results.rows.end(),
                        [&](const study::Row& row) { return row.status == status; });
   };
-  if (is("failed")) return failed;
-  if (!is("missing")) return done;
-  fmt::print("interrupted; the same command goes on in {}\n", folder.string());
+  if (!stopped && is("failed")) return failed;
+  if (!stopped && !is("missing")) return done;
+  say(fmt::format("interrupted; the same command goes on in {}\n", folder.string()));
   return interrupted;
 }
 
-void carry_out(const std::vector<study::Job>& jobs, const study::Folder& folder,
+// Whether it was stopped.
+bool carry_out(const std::vector<study::Job>& jobs, const study::Folder& folder,
                const SweepOptions& options, const Share& share) {
-  const std::atomic<bool>& stop = stop_on_signals();
+  const AtStake at_stake;
+  const StopToken stop = at_stake.token();
   SweepProgress progress(jobs, share.at_once * static_cast<std::size_t>(share.threads));
   const auto show = [&](const study::JobEvent& event) { progress.show(event); };
   if (options.engine == "slurm")
     study::run_on_slurm(jobs, folder.root(), share.threads, stop, show);
   else
     study::run_here(jobs, share.at_once, stop, show);
+  return stop.is_set();
 }
 
 }  // namespace
 
 int sweep(const SweepOptions& options) {
+  end_on_signals();
   const study::Study study = study::read_study(options.study_file, options.sets);
   const study::Plan plan = study::make_plan(study);
   const study::Folder folder(fs::absolute(
@@ -104,15 +109,15 @@ int sweep(const SweepOptions& options) {
     print_plan(study, plan, folder.jobs(plan, this_program(), share.threads), share);
     return done;
   }
-  folder.prepare(study, plan);
+  const io::FolderLock lock = folder.prepare(study, plan);
   const auto jobs = folder.jobs(plan, this_program(), share.threads);
   print_plan(study, plan, jobs, share);
-  carry_out(jobs, folder, options, share);
+  const bool stopped = carry_out(jobs, folder, options, share);
   const study::Results results = study::collect(study, plan, folder);
   study::write_tables(study, plan, results, folder.root());
-  study::write_page(study, plan, results, folder);
-  print_results(results, folder.root());
-  return status_of(results, folder.root());
+  if (!stopped) study::write_page(study, plan, results, folder);
+  print_results(results, folder.root(), stopped);
+  return status_of(results, folder.root(), stopped);
 }
 
 }  // namespace pmr::cli

@@ -53,12 +53,13 @@ void SweepProgress::show(const study::JobEvent& event) {
       spent_ += event.seconds;
     }
   }
-  fmt::print(stderr, "{} {:>4}/{} {:8} {}{}{}\n", clock_text(clock_.seconds()), ended_, total_,
-             word(event.state), event.job.name,
-             has_ended && event.seconds > 0.0 ? fmt::format(" ({:.0f} s)", event.seconds) : "",
-             remaining());
-  if (!event.reason.empty()) fmt::print(stderr, "         {}\n", event.reason);
-  std::fflush(stderr);
+  std::string text =
+      fmt::format("{} {:>4}/{} {:8} {}{}{}\n", clock_text(clock_.seconds()), ended_, total_,
+                  word(event.state), event.job.name,
+                  has_ended && event.seconds > 0.0 ? fmt::format(" ({:.0f} s)", event.seconds) : "",
+                  remaining());
+  if (!event.reason.empty()) text += fmt::format("         {}\n", event.reason);
+  std::fputs(text.c_str(), stderr);  // whether or not anybody reads it
 }
 
 }  // namespace pmr::cli

@@ -80,7 +80,10 @@ Frame& frame_of(void* data) { return *static_cast<Frame*>(data); }
 
 int rate(realtype t, N_Vector y, N_Vector ydot, void* data) {
   Frame& f = frame_of(data);
-  return f.guard([&] { return f.problem.rate(t, view(y), view(ydot)); });
+  return f.guard([&] {
+    f.problem.stop.check();
+    return f.problem.rate(t, view(y), view(ydot));
+  });
 }
 
 int weigh(N_Vector y, N_Vector weight, void* data) {

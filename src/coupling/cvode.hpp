@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "coupling/linearisation.hpp"
+#include "pmr/base/stop.hpp"
 
 namespace pmr::coupling {
 
@@ -27,6 +28,7 @@ struct OdeProblem {
   std::size_t quadratures = 0;                  // [1] length of q
   // Unknowns from here on are solved for more strictly, for the books' sake.
   std::size_t strict_from = std::numeric_limits<std::size_t>::max();
+  StopToken stop = {};  // looked at in each evaluation of the rate
 };
 
 struct OdeResult {
@@ -37,7 +39,7 @@ struct OdeResult {
 };
 
 // Integrates y in place from t0 to t1 [s]; first_step 0 lets CVODES choose. NumericsError when it
-// cannot, with the component of the largest weighted error.
+// cannot, with the component of the largest weighted error; Stopped when asked to.
 OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0, double t1,
                     double first_step);
 

@@ -136,7 +136,7 @@ class Looked {
 
 NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& outlook,
                             std::vector<HeatLink> links, const PoreSpace& pores, double from,
-                            double until, State& state) {
+                            double until, State& state, StopToken stop) {
   const System system = assemble_system(c, nodes, state, outlook, std::move(links), pores);
   std::vector<double> y = pack(system, state);
   if (y.empty()) return {};
@@ -172,6 +172,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
       return gas_rates(system, t, now.subspan(system.gas_begin())).pressure - reached;
     };
   problem.quadratures = as_vector({}).size();
+  problem.stop = stop;
   // What passes the border: from the chamber, or from the pores into open air.
   problem.strict_from = system.closed ? system.chamber_begin() : system.gas_begin();
 

@@ -5,6 +5,7 @@
 
 #include "coupling/heat_links.hpp"
 #include "coupling/nodes.hpp"
+#include "pmr/base/stop.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
 
@@ -18,9 +19,10 @@ struct NetworkWork {
 };
 
 // From state.time to `until` [s]: temperatures, delta, walls, gas and fluxes change; state.time
-// stays (the caller owns the clock). NumericsError when CVODES cannot go on; state untouched then.
+// stays (the caller owns the clock). NumericsError when CVODES cannot go on, Stopped when asked to;
+// state untouched then.
 NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& outlook,
                             std::vector<HeatLink> links, const PoreSpace& pores, double from,
-                            double until, State& state);
+                            double until, State& state, StopToken stop = {});
 
 }  // namespace pmr::coupling

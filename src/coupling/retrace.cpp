@@ -140,7 +140,8 @@ void rescale(const Case& c, const Nodes& nodes, State& state) {
   radiation::rescale(std::move(emissivity), emission, state.exchange);
 }
 
-Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays) {
+Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays,
+                 StopToken stop) {
   std::vector<double> emissivity = emissivities(c, nodes, state);
   std::vector<double> area = areas_of(c, nodes, state);
   Exchange exchange;
@@ -151,7 +152,7 @@ Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double r
     const auto triangles = walls_now(c, nodes, state.time);
     exchange = radiation::trace({spheres, triangles, std::move(emissivity), std::move(area),
                                  static_cast<std::uint32_t>(nodes.radiating()), rays, c.seed,
-                                 state.interval, reservoirs(c, nodes)});
+                                 state.interval, reservoirs(c, nodes), stop});
   }
   exchange.traced_at = state.time;
   exchange.traced_place.resize(nodes.particles);

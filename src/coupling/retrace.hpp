@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coupling/nodes.hpp"
+#include "pmr/base/stop.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
 
@@ -24,7 +25,9 @@ double mean_displacement(const State& state);
 // Brings the exchange factors to the emissivities of the moment without a new tracing.
 void rescale(const Case& c, const Nodes& nodes, State& state);
 
-// Exchange factors of the rig at state.time, `rays` [1] from the smallest emitter.
-Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays);
+// Exchange factors of the rig at state.time, `rays` [1] from the smallest emitter. Throws Stopped
+// when asked to.
+Exchange retrace(const Case& c, const Nodes& nodes, const State& state, double rays,
+                 StopToken stop = {});
 
 }  // namespace pmr::coupling

@@ -10,6 +10,7 @@
 #include "io/series.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 
 namespace pmr::instruments {
 namespace {
@@ -55,8 +56,7 @@ void add_column(io::Series& table, const char* name, std::vector<double> values)
 std::filesystem::path make_folder(const std::filesystem::path& dir) {
   std::error_code error;
   std::filesystem::create_directories(dir, error);
-  if (error)
-    throw CaseError({Fault{dir.string(), "", "folder cannot be made: " + error.message()}});
+  if (error) throw StorageError(dir.string() + ": folder cannot be made: " + error.message());
   return dir;
 }
 

@@ -1,8 +1,9 @@
 // The one place that knows libpng.
 #include <png.h>
 
-#include <fstream>
+#include <string>
 
+#include "io/atomic_file.hpp"
 #include "pmr/base/errors.hpp"
 #include "report/image.hpp"
 
@@ -33,9 +34,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 
 void write_png(const Image& image, const std::filesystem::path& file) {
   const std::vector<std::uint8_t> bytes = encode_png(image);
-  std::ofstream out(file, std::ios::binary);
-  for (const std::uint8_t byte : bytes) out.put(static_cast<char>(byte));
-  if (!out.flush()) throw CaseError({{file.string(), "", "cannot be written"}});
+  io::replace_text(file, std::string(bytes.begin(), bytes.end()));
 }
 
 }  // namespace pmr::report

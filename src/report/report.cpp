@@ -1,9 +1,9 @@
 #include "report/report.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include "case/reference.hpp"
+#include "io/atomic_file.hpp"
 #include "pmr/base/errors.hpp"
 #include "report/mixture.hpp"
 #include "report/page.hpp"
@@ -22,12 +22,6 @@ std::string description_of(const RunData& run) {
       run.setup ? run.setup->description : run.summary.text("case/description");
   if (!text.empty()) return text;
   return title_of(run) == run.name ? "" : run.name;
-}
-
-void write_text(const std::string& text, const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw CaseError({{file.string(), "", "cannot be written"}});
 }
 
 RunData read_as_wished(const std::filesystem::path& folder, const ReportWishes& wishes) {
@@ -61,7 +55,7 @@ void write_report(const std::vector<std::filesystem::path>& runs, const std::fil
   ensure(!runs.empty(), "a report is written of at least one run");
   std::vector<RunData> data;
   for (const auto& folder : runs) data.push_back(read_as_wished(folder, wishes));
-  write_text(data.size() == 1 ? report_page(data.front()) : comparison_page(data), html);
+  io::replace_text(html, data.size() == 1 ? report_page(data.front()) : comparison_page(data));
 }
 
 }  // namespace pmr::report

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "chemistry/redox.hpp"
+#include "coupling/ray_count.hpp"
 #include "coupling/thermal_state.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"
@@ -84,6 +85,16 @@ void check_initial_delta(const Case& c, const State& state, std::vector<std::str
   }
 }
 
+void check_rays(const Case& c, const State& state, std::vector<std::string>& limits) {
+  if (!c.models.radiation || !(state.exchange.rays > 0.0)) return;
+  const auto rays = coupling::count_rays(c, c.models.radiation->rays_settled);
+  if (rays.wanted > rays.sent)
+    limits.push_back(fmt::format(
+        "Sizes differ so much that rays of equal power would be {:.2g} a tracing; {:.2g} are sent, "
+        "fewer from the largest emitters. The largest factors are known to {:.1g} % in the mean.",
+        rays.wanted, rays.sent, 100.0 * state.exchange.relative_error));
+}
+
 void check_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
   if (!c.models.reaction) return;
   const auto gas = coupling::atmosphere(c, state);
@@ -120,6 +131,7 @@ std::vector<std::string> limits_touched(const Case& c, const State& state) {
   std::vector<std::string> limits;
   check_mechanics(c, state, limits);
   check_fit(c, state, limits);
+  check_rays(c, state, limits);
   if (c.models.reaction) check_initial_delta(c, state, limits);
   if (has_heat(c)) {
     const Balance balance = close_books(c, state);

@@ -63,6 +63,11 @@ void put_gas(const Case& c, const State& state, double oxygen_rate, Row& row) {
   row.put("oxygen_pressure_bed_top", "Pa", top.oxygen_fraction * top.pressure);
 }
 
+// A bed that came to rest, and not one whose run ended in motion.
+bool is_frozen(const Case& c, const State& state) {
+  return state.phase == Phase::react || (state.phase == Phase::done && c.react);
+}
+
 double mean_wall_temperature(const std::vector<double>& faces, const coupling::Nodes& nodes) {
   double sum = 0.0, area = 0.0;
   for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -87,9 +92,7 @@ void Recorder::add_row(const State& state) {
   row.put("time", "s", state.time);
   row.put("phase", "1", static_cast<double>(state.phase));
   row.put("kinetic_energy", "J",
-          state.phase == Phase::react || state.phase == Phase::done
-              ? 0.0
-              : physics::kinetic_energy(state.particles));
+          is_frozen(case_, state) ? 0.0 : physics::kinetic_energy(state.particles));
   put_species(case_, state, row);
   put_gas(case_, state, rate, row);
   if (!has_heat(case_)) return;

@@ -55,16 +55,27 @@ Interval Schedule::next(const State& state) const {
   return frozen(state);
 }
 
+// The first time after t at which a picture is wanted while the bed moves.
+double Schedule::next_picture(double t) const {
+  const double frame = std::max(case_.output.snapshot_interval, time_step_);
+  const double now = t + 0.5 * time_step_;
+  double next = (std::floor(now / frame) + 1.0) * frame;
+  for (const double at : case_.output.snapshot_times)
+    if (at > now) next = std::min(next, at);
+  return next;
+}
+
+// The way to the next picture in equal parts, none longer than `length`.
 Interval Schedule::moving(const State& state, double length, double phase_end) const {
-  double target = std::min(state.time + length, phase_end);
+  const double picture = next_picture(state.time), way = picture - state.time;
+  const double parts = std::max(1.0, std::ceil(way / length - 1e-6));
+  double target = std::min(state.time + way / parts, phase_end);
   for (const Surface& surface : case_.walls.surfaces)  // its place is looked at as it comes in
     if (surface.from > state.time + same_time) target = std::min(target, surface.from);
   const auto sub_steps = std::max<std::uint64_t>(
       1, static_cast<std::uint64_t>(std::llround((target - state.time) / time_step_)));
   const double end = state.time + static_cast<double>(sub_steps) * time_step_;
-  const double frame = case_.output.snapshot_interval;
-  const bool snapshot =
-      std::floor((end + same_time) / frame) > std::floor((state.time + same_time) / frame);
+  const bool snapshot = end + 0.5 * time_step_ >= picture;
   return {state.time, end, sub_steps, has_heat(case_), false, snapshot};
 }
 

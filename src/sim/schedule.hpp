@@ -36,6 +36,7 @@ class Schedule {
  private:
   Interval moving(const State& state, double heat_interval, double phase_end) const;
   Interval frozen(const State& state) const;
+  double next_picture(double t) const;
   double next_border(double t) const;
 
   const Case& case_;

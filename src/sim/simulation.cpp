@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "coupling/heat_links.hpp"
 #include "coupling/outlook.hpp"
@@ -13,6 +15,7 @@
 #include "physics/insertion.hpp"
 #include "physics/wall_overlaps.hpp"
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 #include "sim/ledger.hpp"
 
 namespace pmr::sim {
@@ -69,13 +72,14 @@ void Simulation::open() {
 }
 
 // One step of the reactor.
-void Simulation::step() {
+void Simulation::step(const StopToken& stop) {
+  note_state();
   const Interval interval = schedule_.next(state_);
   if (interval.moves()) pour();
-  if (interval.moves()) move(interval);
+  if (interval.moves()) move(interval, stop);
   if (interval.closes_chamber) coupling::close_chamber(case_, state_);
-  if (interval.heats) retrace_if_due(interval);
-  if (interval.heats) exchange_heat(interval);
+  if (interval.heats) retrace_if_due(interval, stop);
+  if (interval.heats) exchange_heat(interval, stop);
   if (!interval.moves()) state_.time = interval.end;
   ++state_.interval;
   const bool is_pouring = state_.waiting.size() > 0;  // not at rest, whatever moves
@@ -108,7 +112,7 @@ void Simulation::refuse_walls_in_particles(double before) const {
 // The bed lies now: neighbours get neighbouring nodes, and what named the old ones goes.
 void Simulation::settle() {
   coupling::number_in_space(state_.particles, nodes_);
-  state_.exchange = {};
+  replace_exchange({});
   gaps_ = {};
   open_pores();
 }
@@ -122,26 +126,26 @@ void Simulation::open_pores() {
 // Particles that are due come in; exchange factors are traced anew with them.
 void Simulation::pour() {
   const StageTimer timer(timings_, "pouring");
-  if (physics::pour(case_, entries_, state_) > 0) state_.exchange = {};
+  if (physics::pour(case_, entries_, state_) > 0) replace_exchange({});
 }
 
-void Simulation::move(const Interval& interval) {
+void Simulation::move(const Interval& interval, const StopToken& stop) {
   if (state_.particles.size() == 0) {  // none has come in yet
     state_.time = interval.end;
     return;
   }
   const Holdings before = holdings(case_, state_.particles);
   const std::size_t lost = state_.lost.size();
-  mechanics_.advance(state_, interval.sub_steps, timings_);
+  mechanics_.advance(state_, interval.sub_steps, timings_, stop);
   if (state_.lost.size() == lost) return;
   book_losses(case_, before, state_);
-  state_.exchange = {};  // the lost take no further part in it: traced anew
+  replace_exchange({});  // the lost take no further part in it: traced anew
 }
 
 // Anew when there are no factors, a wall has come or gone, emissivities have changed much, or the
 // particles have moved on and a stated time has passed; where emissivities have changed a little,
 // factors are scaled.
-void Simulation::retrace_if_due(const Interval& interval) {
+void Simulation::retrace_if_due(const Interval& interval, const StopToken& stop) {
   if (!case_.models.radiation) return;
   const RadiationModel& model = *case_.models.radiation;
   const StageTimer timer(timings_, "radiation");
@@ -157,14 +161,16 @@ void Simulation::retrace_if_due(const Interval& interval) {
     return coupling::mean_change(case_, nodes_, state_, now, then);
   };
   due = due || change(state_.exchange.traced_emissivity) > model.emissivity_change_traced;
-  if (due)
-    state_.exchange = coupling::retrace(case_, nodes_, state_,
-                                        interval.moves() ? model.rays_moving : model.rays_settled);
-  else if (change(state_.exchange.emissivity) > model.emissivity_change)
+  if (due) {
+    const double rays = interval.moves() ? model.rays_moving : model.rays_settled;
+    replace_exchange(coupling::retrace(case_, nodes_, state_, rays, stop));
+  } else if (change(state_.exchange.emissivity) > model.emissivity_change) {
+    replace_exchange(state_.exchange);
     coupling::rescale(case_, nodes_, state_);
+  }
 }
 
-void Simulation::exchange_heat(const Interval& interval) {
+void Simulation::exchange_heat(const Interval& interval, const StopToken& stop) {
   const double length = interval.end - interval.begin;
   const auto outlook = coupling::look_ahead(case_, state_, 0.5 * length);
   auto links = [&] {
@@ -176,7 +182,7 @@ void Simulation::exchange_heat(const Interval& interval) {
   const StageTimer timer(timings_, "network");
   const coupling::TrendWatch watch(case_, state_);
   const auto work = coupling::advance_network(case_, nodes_, outlook, std::move(links), pores_,
-                                              interval.begin, interval.end, state_);
+                                              interval.begin, interval.end, state_, stop);
   watch.set(case_, length, state_);
   state_.set_point_at = std::min(state_.set_point_at, work.set_point_at);
   work_.steps += work.steps;
@@ -185,14 +191,43 @@ void Simulation::exchange_heat(const Interval& interval) {
   work_.krylov += work.krylov;
 }
 
-Ending Simulation::run(const std::atomic<bool>& stop,
-                       const std::function<void(const Simulation&)>& look) {
-  while (state_.phase != Phase::done && !stop) {
+// Exchange factors are most of the state, and few intervals replace them: they are kept apart.
+void Simulation::note_state() {
+  Exchange exchange = std::exchange(state_.exchange, {});
+  before_ = state_;
+  state_.exchange = std::move(exchange);
+  exchange_before_.reset();
+}
+
+void Simulation::replace_exchange(Exchange next) {
+  Exchange last = std::exchange(state_.exchange, std::move(next));
+  if (!exchange_before_) exchange_before_ = std::move(last);
+}
+
+// To the last complete interval.
+void Simulation::go_back() {
+  before_.exchange = std::move(exchange_before_ ? *exchange_before_ : state_.exchange);
+  state_ = std::move(before_);
+}
+
+// An error that ends the run must not be hidden by one of the disk.
+void Simulation::save_after(const std::exception& error) try {
+  go_back();
+  recorder_.checkpoint(state_);
+} catch (const StorageError& second) {
+  throw NumericsError(std::string(error.what()) + "\n" + second.what());
+}
+
+Ending Simulation::run(const StopToken& stop, const std::function<void(const Simulation&)>& look) {
+  while (state_.phase != Phase::done && !stop.is_set()) {
     const Phase phase = state_.phase;
     try {
-      step();
-    } catch (const NumericsError&) {
-      recorder_.flush();
+      step(stop);
+    } catch (const Stopped&) {
+      go_back();
+      break;
+    } catch (const std::exception& error) {
+      save_after(error);
       throw;
     }
     look(*this);

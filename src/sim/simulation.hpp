@@ -1,14 +1,16 @@
 // A run: the step of the reactor, and the loop round it.
 #pragma once
-#include <atomic>
+#include <exception>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "coupling/bed_gas.hpp"
 #include "coupling/network.hpp"
 #include "coupling/nodes.hpp"
 #include "physics/mechanics.hpp"
 #include "physics/pouring.hpp"
+#include "pmr/base/stop.hpp"
 #include "pmr/base/timer.hpp"
 #include "pmr/state/case.hpp"
 #include "pmr/state/state.hpp"
@@ -29,11 +31,13 @@ class Simulation {
   // Goes on from a checkpoint of the same case.
   Simulation(const Case& c, std::filesystem::path dir, State state);
 
-  // Steps until the case's end or until `stop` becomes true; `look` sees the state after every
-  // step. A NumericsError leaves run.h5 complete and the last checkpoint in place.
-  Ending run(const std::atomic<bool>& stop, const std::function<void(const Simulation&)>& look);
+  // Steps until the case's end or until `stop` is set; `look` sees the state after every step. An
+  // interval that is given up half-way, be it for `stop` or an error, leaves nothing: the state is
+  // again that of the last complete interval, and is saved. A StorageError leaves the files as they
+  // were saved last.
+  Ending run(const StopToken& stop, const std::function<void(const Simulation&)>& look);
 
-  void step();
+  void step(const StopToken& stop = {});
 
   const Case& setup() const { return case_; }
   const State& state() const { return state_; }
@@ -49,12 +53,18 @@ class Simulation {
   void open_pores();
   void refuse_walls_in_particles(double before) const;
   void pour();
-  void move(const Interval& interval);
-  void retrace_if_due(const Interval& interval);
-  void exchange_heat(const Interval& interval);
+  void move(const Interval& interval, const StopToken& stop);
+  void retrace_if_due(const Interval& interval, const StopToken& stop);
+  void exchange_heat(const Interval& interval, const StopToken& stop);
+  void note_state();
+  void replace_exchange(Exchange next);
+  void go_back();
+  void save_after(const std::exception& error);
 
   const Case& case_;
   State state_;
+  State before_;                             // the interval, without exchange factors
+  std::optional<Exchange> exchange_before_;  // only where the interval has replaced them
   physics::Mechanics mechanics_;
   Schedule schedule_;
   std::vector<physics::Entry> entries_;  // of particles to be poured in

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -13,10 +12,10 @@
 #include "instruments/course.hpp"
 #include "instruments/mixing.hpp"
 #include "instruments/section_ratios.hpp"
+#include "io/atomic_file.hpp"
 #include "physics/conduction.hpp"
 #include "physics/mechanics.hpp"
 #include "pmr/base/constants.hpp"
-#include "pmr/base/errors.hpp"
 #include "sim/conductivity.hpp"
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
@@ -345,9 +344,7 @@ void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   summary["warnings"] = limits_touched(in.setup, in.state);
   summary["assumed"] = assumed_of(in.setup);
   for (const auto& [stage, seconds] : in.timings.stages()) summary["timing"][stage] = seconds;
-  std::ofstream out(dir / "summary.json");
-  out << summary.dump(2) << '\n';
-  if (!out) throw CaseError({{(dir / "summary.json").string(), "", "cannot be written"}});
+  io::replace_text(dir / "summary.json", summary.dump(2) + '\n');
 }
 
 }  // namespace pmr::sim

@@ -1,10 +1,10 @@
 // Where the jobs of a study run: processes on this machine, or a Slurm cluster.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <span>
 #include <string>
 
+#include "pmr/base/stop.hpp"
 #include "study/folder.hpp"
 
 namespace pmr::study {
@@ -20,8 +20,8 @@ using OnEvent = std::function<void(const JobEvent&)>;
 
 // `at_once` processes at a time, each in its own process group; they end with this process. Once
 // `stop` is set each running job is asked for a checkpoint, and no more are started. A job whose
-// predecessor failed is skipped.
-void run_here(std::span<const Job> jobs, std::size_t at_once, const std::atomic<bool>& stop,
+// predecessor failed is skipped; the log of a job that was interrupted goes.
+void run_here(std::span<const Job> jobs, std::size_t at_once, const StopToken& stop,
               const OnEvent& on_event);
 
 // Two Slurm job arrays, mixings first, each task with its `threads` cores, written to and submitted
@@ -29,7 +29,7 @@ void run_here(std::span<const Job> jobs, std::size_t at_once, const std::atomic<
 // for, not submitted again; `stop` ends the waiting alone. Partition, account and time limit are
 // sbatch's own variables (SBATCH_PARTITION, ...). CaseError when sbatch is missing or refuses.
 void run_on_slurm(std::span<const Job> jobs, const std::filesystem::path& folder, int threads,
-                  const std::atomic<bool>& stop, const OnEvent& on_event);
+                  const StopToken& stop, const OnEvent& on_event);
 
 // The last lines of what a job said, as one.
 std::string last_words(const std::filesystem::path& log);

@@ -17,20 +17,38 @@ namespace fs = std::filesystem;
   throw CaseError({{folder.string(), "", problem}});
 }
 
-void check_place(const fs::path& root) {
-  std::error_code error;
-  if (fs::exists(root) && !fs::is_directory(root)) refuse(root, "is not a folder");
-  const bool used = fs::exists(root) && !fs::is_empty(root, error);
-  if (used && !fs::exists(root / "study.toml"))
-    refuse(root, "holds files that are no study of pmr; name another output folder");
+// study.toml is written first: a study that was killed before that left at most these.
+bool is_leftover(const fs::path& file) {
+  return file.filename() == io::FolderLock::name || file.filename() == "study.toml.tmp";
 }
 
-// Writes the case; whether another one stood there.
-bool replaces(const fs::path& file, const std::string& text) {
-  const bool stands = fs::exists(file);
-  if (stands && io::read_text(file) == text) return false;
+void check_place(const fs::path& root) {
+  std::error_code error;
+  const auto status = fs::status(root, error);
+  if (error && status.type() != fs::file_type::not_found) refuse(root, error.message());
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) refuse(root, "is not a folder");
+  if (fs::exists(root / "study.toml")) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root))
+    if (!is_leftover(entry.path()))
+      refuse(root, "holds files that are no study of pmr; name another output folder");
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) refuse(folder, "cannot be made: " + error.message());
+}
+
+// A run of another case goes before the new case is there: a kill in between must not leave the one
+// with the other.
+void write_case(const fs::path& file, const std::string& text, const fs::path& run) {
+  if (fs::exists(file) && io::read_text(file) == text) return;
+  if (fs::exists(run)) {
+    const io::FolderLock lock(run);
+    fs::remove_all(run);
+  }
   io::replace_text(file, text);
-  return stands;
 }
 
 }  // namespace
@@ -45,19 +63,18 @@ std::string status_of(const fs::path& run_folder) {
   }
 }
 
-void Folder::prepare(const Study& study, const Plan& plan) const {
+io::FolderLock Folder::prepare(const Study& study, const Plan& plan) const {
   check_place(root_);
-  std::error_code error;
-  for (const char* inner : {"cases", "mixings", "runs", "logs"}) {
-    fs::create_directories(root_ / inner, error);
-    if (error) refuse(root_ / inner, "cannot be made: " + error.message());
-  }
+  make_folder(root_);
+  io::FolderLock lock(root_);
   io::replace_text(root_ / "study.toml", study.text);
+  for (const char* inner : {"cases", "mixings", "runs", "logs"}) make_folder(root_ / inner);
   for (const Mixing& m : plan.mixings)
     if (!fs::exists(case_file("mixing-" + m.name)))
       io::replace_text(case_file("mixing-" + m.name), m.case_text);
   for (const PlannedRun& r : plan.runs)
-    if (r.fault.empty() && replaces(case_file(r.name), r.case_text)) fs::remove_all(run(r));
+    if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r));
+  return lock;
 }
 
 Job Folder::job(const std::string& name, const fs::path& folder, std::vector<std::string> fresh,

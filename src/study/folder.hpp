@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "io/folder_lock.hpp"
 #include "study/plan.hpp"
 
 namespace pmr::study {
@@ -28,8 +29,9 @@ class Folder {
   explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
 
   // Makes the folders, writes study and cases. A run whose case is another now than when it was
-  // run goes. CaseError when the folder holds something else.
-  void prepare(const Study& study, const Plan& plan) const;
+  // run goes. CaseError when the folder holds something else, or another process writes it or such
+  // a run. The lock is to be held while the study runs.
+  [[nodiscard]] io::FolderLock prepare(const Study& study, const Plan& plan) const;
 
   // What is not completed yet, each mixing right before the first run that waits for it; begun runs
   // go on from their checkpoint. `program` is pmr, each job on `threads`.

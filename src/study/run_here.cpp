@@ -4,12 +4,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <thread>
 #include <vector>
 
 #include "pmr/base/errors.hpp"
+#include "pmr/base/storage_error.hpp"
 #include "pmr/base/timer.hpp"
 #include "study/engine.hpp"
 
@@ -39,7 +42,8 @@ pid_t start(const Job& job) {
   for (std::string& word : text) words.push_back(word.data());
   words.push_back(nullptr);
   const int log = ::open(job.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) throw CaseError({{job.log.string(), "", "cannot be written"}});
+  if (log < 0)
+    throw StorageError(job.log.string() + ": cannot be written: " + std::strerror(errno));
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) become(words, log, parent);
@@ -71,16 +75,16 @@ class Pool {
   Pool(std::span<const Job> jobs, std::size_t at_once, const OnEvent& on_event)
       : jobs_(jobs), at_once_(at_once), on_event_(on_event), processes_(jobs.size()) {}
 
-  void run(const std::atomic<bool>& stop) {
+  void run(const StopToken& stop) {
     bool asked = false;
     while (true) {
       reap();
-      if (stop && !asked) {
+      if (stop.is_set() && !asked) {
         ask_all_to_stop();
         asked = true;
       }
-      if (!stop) start_what_can();
-      if (running_ == 0 && (stop || !any_waiting())) return;
+      if (!stop.is_set()) start_what_can();
+      if (running_ == 0 && (stop.is_set() || !any_waiting())) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
@@ -116,6 +120,8 @@ class Pool {
       --running_;
       const JobState state = state_of(status);
       p.stage = state == JobState::done ? Stage::ended_well : Stage::ended_ill;
+      std::error_code ignored;  // a log without a result would pass for a failure
+      if (state == JobState::interrupted) std::filesystem::remove(jobs_[k].log, ignored);
       const std::string reason = state == JobState::failed ? reason_of(jobs_[k], status) : "";
       on_event_({jobs_[k], state, reason, p.clock.seconds()});
     }
@@ -135,7 +141,7 @@ class Pool {
 
 }  // namespace
 
-void run_here(std::span<const Job> jobs, std::size_t at_once, const std::atomic<bool>& stop,
+void run_here(std::span<const Job> jobs, std::size_t at_once, const StopToken& stop,
               const OnEvent& on_event) {
   Pool(jobs, at_once, on_event).run(stop);
 }

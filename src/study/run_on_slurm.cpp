@@ -106,13 +106,13 @@ std::string submitted(std::span<const Job> jobs, const fs::path& folder, int thr
 }  // namespace
 
 void run_on_slurm(std::span<const Job> jobs, const fs::path& folder, int threads,
-                  const std::atomic<bool>& stop, const OnEvent& on_event) {
+                  const StopToken& stop, const OnEvent& on_event) {
   if (jobs.empty()) return;
   fs::create_directories(folder / "slurm");
   const std::string ids = submitted(jobs, folder / "slurm", threads);
   std::vector<bool> told(jobs.size(), false);
   bool alive = true;
-  while (alive && !stop) {
+  while (alive && !stop.is_set()) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     alive = is_alive(ids);
     for (std::size_t k = 0; k < jobs.size(); ++k)

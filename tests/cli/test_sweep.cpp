@@ -1,11 +1,5 @@
 // Studies as their users see them: tables, sharing, kills, failures.
-#include <signal.h>
-#include <spawn.h>
-
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <fstream>
-#include <thread>
 
 #include "program.hpp"
 
@@ -13,11 +7,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Catch::Contains;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // The tiny reactor over two temperatures and two seeds.
 fs::path write_study(const fs::path& folder, const std::string& more = "") {
@@ -47,23 +36,6 @@ std::size_t count(const std::string& text, const std::string& word) {
   return n;
 }
 
-void sweep_and_kill(const fs::path& study, const fs::path& out, std::chrono::milliseconds after) {
-  std::vector<std::string> words{PMR_PROGRAM, "sweep", study.string(), "-o", out.string()};
-  std::vector<char*> argv;
-  for (auto& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t quiet;
-  posix_spawn_file_actions_init(&quiet);
-  posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", 1, 0);
-  posix_spawn_file_actions_addopen(&quiet, 2, "/dev/null", 1, 0);
-  pid_t child = 0;
-  REQUIRE(posix_spawn(&child, PMR_PROGRAM, &quiet, nullptr, argv.data(), environ) == 0);
-  posix_spawn_file_actions_destroy(&quiet);
-  std::this_thread::sleep_for(after);
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-}
-
 }  // namespace
 
 TEST_CASE("A study that was killed twice ends with the table of one that was not") {
@@ -78,7 +50,12 @@ TEST_CASE("A study that was killed twice ends with the table of one that was not
   CHECK(count(text_of(whole / "report.html"), "<section") >= 5);
   CHECK(std::distance(fs::directory_iterator(whole / "mixings"), {}) == 2);  // one a seed
 
-  for (const int after : {700, 1600}) sweep_and_kill(study, cut, std::chrono::milliseconds(after));
+  for (const int after : {700, 1600}) {
+    Beside sweep({"sweep", study.string(), "-o", cut.string()}, scratch.path / "said");
+    std::this_thread::sleep_for(std::chrono::milliseconds(after));
+    sweep.signal(SIGKILL);
+    sweep.wait();
+  }
   const Said rest = pmr_says("sweep " + study.string() + " -o " + cut.string());
   INFO(rest.text);
   REQUIRE(rest.status == 0);
@@ -116,4 +93,38 @@ TEST_CASE("A study file with mistakes is refused with status 2 and leaves no fol
   CHECK(said.status == 2);
   CHECK_THAT(said.text, Contains("did you mean 'replicates'"));
   CHECK_FALSE(fs::exists(scratch.path / "out"));
+}
+
+TEST_CASE("A study that is interrupted leaves no run for failed, and goes on to the same table") {
+  const Scratch scratch("sweep-stopped");
+  const fs::path study = write_study(scratch.path), out = scratch.path / "out";
+  Beside sweep({"sweep", study.string(), "-o", out.string()}, scratch.path / "said");
+  REQUIRE(comes(out / "logs"));
+  const Said second = pmr_says("sweep " + study.string() + " -o " + out.string());
+  CHECK(second.status == 2);
+  CHECK_THAT(second.text, Contains("is being written by process " + std::to_string(sweep.pid())));
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  sweep.signal(SIGHUP);
+  REQUIRE(sweep.wait() == 130);
+  CHECK_THAT(text_of(out / "study.csv"), !Contains("failed"));
+  // What a child that was killed in its first moment leaves.
+  const fs::path early = out / "runs" / "bead=1100_seed=2";
+  if (!fs::exists(early)) {
+    fs::create_directories(early);
+    std::ofstream(early / "log.txt").close();
+  }
+  const Said rest = pmr_says("sweep " + study.string() + " -o " + out.string());
+  INFO(rest.text);
+  CHECK(rest.status == 0);
+  CHECK(count(text_of(out / "study.csv"), ",completed,") == 4);
+}
+
+TEST_CASE("What a study that was killed at once has left is taken over") {
+  const Scratch scratch("sweep-leftovers");
+  const fs::path study = write_study(scratch.path), out = scratch.path / "out";
+  fs::create_directories(out);
+  std::ofstream(out / "study.toml.tmp") << "half a";
+  std::ofstream(out / ".lock") << "process 1 on nowhere\n";
+  Beside sweep({"sweep", study.string(), "-o", out.string()}, scratch.path / "said");
+  CHECK(comes(out / "logs"));
 }

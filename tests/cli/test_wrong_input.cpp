@@ -83,6 +83,14 @@ TEST_CASE("Several faults are told together") {
 }
 TEST_CASE("An unknown verb is refused with the usage") {
   CHECK(pmr_says("fly").status == 2);
+  const Said said = pmr_says("rum --help");
+  CHECK(said.status == 2);
+  CHECK(said.text == "pmr: verb 'rum' is unknown; did you mean 'run'?\n");
+  for (const char* wrong :
+       {"run", "run a.toml b.toml", "run a.toml --nothing", "run a.toml --threads x", "resume",
+        "render out", "render out -o p.png --colour heat", "sweep", "sweep a.toml --engine cloud",
+        "report out --frames soon", "verify x"})
+    CHECK(pmr_says(wrong).status == 2);
   CHECK(pmr_says("").status == 2);
   CHECK(pmr_says("--help").status == 0);
 }

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "case/case.hpp"
@@ -57,6 +59,68 @@ TEST_CASE("A run that is stopped in any phase and resumed has the bits of one th
     REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
     CHECK(io::state_hash(second.state()) == whole);
   }
+}
+
+TEST_CASE("A run that is stopped within an interval is that of the last complete one") {
+  const std::uint64_t whole = hash_of_whole_run(2, "uncut");
+  const Case c = tiny();
+  for (int k = 0; k < 8; ++k) {
+    const Folder folder("cut");
+    {
+      std::atomic<bool> stop{false};
+      std::atomic<int> interval{0};
+      sim::Simulation first(c, folder.path);
+      // Asks once some interval has begun: two in the mixing, the others in the react phase.
+      const int wanted = k < 2 ? 1 + k : 8 * k;
+      std::thread asks([&] {
+        while (interval < wanted) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        stop = true;
+      });
+      first.run(stop, [&](const sim::Simulation& now) {
+        interval = static_cast<int>(now.state().interval);
+      });
+      interval = wanted;
+      asks.join();
+    }
+    State state = io::load_checkpoint(folder.path);
+    INFO("stopped at interval " << state.interval << ", t = " << state.time << " s");
+    const io::Series series = io::read_series(folder.path);
+    CHECK(series.values("time").back() == state.time);
+    sim::Simulation second(c, folder.path, std::move(state));
+    REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+    CHECK(io::state_hash(second.state()) == whole);
+  }
+}
+
+TEST_CASE("An interval that fails leaves the last complete one, saved") {
+  Case c = tiny();
+  const Folder folder("fails");
+  sim::Simulation simulation(c, folder.path);
+  std::uint64_t last = 0;
+  CHECK_THROWS_AS(simulation.run(never,
+                                 [&](const sim::Simulation& now) {
+                                   last = io::state_hash(now.state());
+                                   // Nobody's heat can be computed from here on.
+                                   if (now.state().interval == 20)
+                                     c.models.network.relative_tolerance = std::nan("");
+                                 }),
+                  std::exception);
+  CHECK(io::state_hash(simulation.state()) == last);
+  CHECK(io::state_hash(io::load_checkpoint(folder.path)) == last);
+}
+
+TEST_CASE("A run that ends in motion records the kinetic energy that it ends with") {
+  Case c = tiny();
+  c.react.reset();
+  c.mix->duration = 0.03;
+  c.mix->not_before = 1.0;
+  const Folder folder("moving");
+  sim::Simulation simulation(c, folder.path);
+  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  const double energy = physics::kinetic_energy(simulation.state().particles);
+  CHECK(energy > 1e-6);  // [J] 6 g that fell for 30 ms
+  CHECK(io::read_series(folder.path).values("kinetic_energy").back() == energy);
 }
 
 TEST_CASE("The books of a whole run close, and no particle is lost") {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "case/case.hpp"
@@ -37,6 +39,47 @@ TEST_CASE("Intervals of the react phase meet every border and grow in between") 
   CHECK(closings == 1);
   CHECK(snapshots == 3);
   CHECK(ends.size() < 200);
+}
+
+TEST_CASE("Pictures of a moving bed come when they are asked for, whatever the heat's interval") {
+  const double dt = 1.3e-5;  // [s] divides nothing here
+  Case c = tiny();
+  c.mix->duration = 1.0;
+  c.output.snapshot_times = {0.033, 5.0};
+  for (const double frame : {0.005, 0.05, 0.3}) {
+    c.output.snapshot_interval = frame;
+    std::vector<double> wanted{0.033};
+    for (int k = 1; k * frame < 0.9999; ++k) wanted.push_back(k * frame);
+    std::sort(wanted.begin(), wanted.end());
+    const sim::Schedule schedule(c, dt);
+    State state;
+    schedule.begin(state);
+    std::vector<double> taken;
+    while (state.time < 0.9999 - 0.5 * dt) {
+      const sim::Interval interval = schedule.next(state);
+      CHECK(interval.end - interval.begin < c.mix->heat_interval + dt);
+      state.time = interval.end;
+      if (interval.takes_snapshot && interval.end < 0.9999) taken.push_back(interval.end);
+    }
+    REQUIRE(taken.size() == wanted.size());
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      CHECK(std::abs(taken[k] - wanted[k]) < 0.51 * dt);
+  }
+}
+
+TEST_CASE("Pictures at multiples of the heat's interval leave the intervals as they are") {
+  Case c = tiny();
+  c.output.snapshot_interval = 0.04;
+  c.output.snapshot_times = {};
+  const sim::Schedule schedule(c, 2e-5);
+  State state;
+  schedule.begin(state);
+  for (const bool picture : {false, true, false, true}) {
+    const sim::Interval interval = schedule.next(state);
+    CHECK(interval.sub_steps == 1000);
+    CHECK(interval.takes_snapshot == picture);
+    state.time = interval.end;
+  }
 }
 
 TEST_CASE("The mix phase ends at rest, held for its time, or at its deadline") {

@@ -213,7 +213,7 @@ struct ConductivityInstrument {
 };
 struct OutputCase {
   double snapshot_interval;            // [s] while moving
-  std::vector<double> snapshot_times;  // [s] in the react phase
+  std::vector<double> snapshot_times;  // [s]
   double checkpoint_wall_time;         // [s] of wall time between checkpoints
   Vec3 cut_point, cut_normal;          // [m], [1] pictures are cut open at this plane
 };
