@@ -34,7 +34,12 @@ kind = "box"
 material = "coated-wall"
 low = "-0.2 -0.2 -0.2 m"
 high = "0.2 0.2 0.2 m"
-thermal = {kind = "lining", layers = [{material = "fibre-board", thickness = "2 mm"}], initial_temperature = "300 K", outside_film_coefficient = "10 W/m2/K", outside_temperature = "300 K"}
+[walls.box.thermal]
+kind = "lining"
+layers = [{material = "fibre-board", thickness = "2 mm"}]
+initial_temperature = "300 K"
+outside_film_coefficient = "10 W/m2/K"
+outside_temperature = "300 K"
 [react]
 end = "20 ms"
 [models]
