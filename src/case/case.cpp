@@ -4,7 +4,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 
+#include "case/extents.hpp"
 #include "case/parts.hpp"
 #include "case/walls.hpp"
 #include "physics/time_step.hpp"
@@ -24,41 +26,13 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool make_absolute(Node* node, const fs::path& base_dir) {
-  if (node == nullptr || node->kind != Node::Kind::string || node->text.empty()) return false;
-  const fs::path path(node->text);
-  if (path.is_absolute()) return false;
-  node->text = fs::absolute(base_dir / path).lexically_normal().string();
-  return true;
-}
-
-Node* child(Node& node, const std::string& key) {
-  const auto found = node.members.find(key);
-  return found == node.members.end() ? nullptr : &found->second;
-}
-
-// File names become absolute, so that the text alone is the case. True if any changed.
-bool make_files_absolute(Node& root, const fs::path& base_dir) {
-  bool changed = make_absolute(child(root, "bed"), base_dir);
-  if (Node* particles = child(root, "particles"); particles != nullptr)
-    changed |= make_absolute(child(*particles, "csv"), base_dir);
-  if (Node* species = child(root, "species"); species != nullptr)
-    for (auto& [name, one] : species->members)
-      if (Node* size = child(one, "size"); size != nullptr)
-        changed |= make_absolute(child(*size, "csv"), base_dir);
-  if (Node* walls = child(root, "walls"); walls != nullptr)
-    for (auto& [name, wall] : walls->members)
-      changed |= make_absolute(child(wall, "file"), base_dir);
-  if (Node* tool = child(root, "decomposition"); tool != nullptr)
-    changed |= make_absolute(child(*tool, "reference"), base_dir);
-  return changed;
-}
-
 constexpr int deepest = 8;  // cases that lie on one another
+
+using Folders = std::map<std::string, fs::path>;  // by the name of the file
 
 // A case may lie on another: what it says replaces or adds to what "extends" names. Whether there
 // was such a base.
-bool lay_on_base(Node& document, const fs::path& base_dir, int depth = 0) {
+bool lay_on_base(Node& document, const fs::path& base_dir, Folders& folders, int depth = 0) {
   const Node* extends = document.find("extends");
   if (extends == nullptr) return false;
   const std::string place = to_string(extends->place);
@@ -70,10 +44,9 @@ bool lay_on_base(Node& document, const fs::path& base_dir, int depth = 0) {
   if (!fs::is_regular_file(file))
     throw CaseError({{place, "extends", "there is no case file " + file.string()}});
   Node base = parse_toml(text_of(file), file.string());
-  lay_on_base(base, file.parent_path(), depth + 1);
-  make_files_absolute(base, file.parent_path());
+  folders[file.string()] = file.parent_path();
+  lay_on_base(base, file.parent_path(), folders, depth + 1);
   document.members.erase("extends");
-  make_files_absolute(document, base_dir);
   merge(base, document);
   document = std::move(base);
   return true;
@@ -143,33 +116,34 @@ void check_time_step(Reading& reading, const Node& document, const Case& made) {
   reading.fault(at->place, "models.mechanics.time_step", problem);
 }
 
-Case read_case(Reading& reading, const Node& document, const fs::path& base_dir) {
+Case read_case(Reading& reading, const Node& document) {
   Case made{};
   Table root(reading, document, "");
-  made.title = root.word("title", "a text in quotes");
-  made.description = root.word_or("description", "");
+  made.title = root.word(root.moves_nothing("title"), "a text in quotes");
+  made.description = root.word_or(root.moves_nothing("description"), "");
   made.seed = root.count("seed", 0, 1);
   made.gravity = read_gravity(root);
-  made.bed = root.word_or("bed", "");
+  made.bed = root.file_if_any("bed");
   made.models = read_models(root);
   reading.provenance = &made.provenance;
   MaterialBook book(reading, root, made.provenance);
-  const bool heat = made.models.conduction || made.models.radiation;
-  const WallSetting setting{book, base_dir, heat};
+  const bool heat = made.models.conduction || made.models.radiation;  // of walls
+  const WallSetting setting{book, heat};
   const double closing = read_closing(root);
   const std::optional<Rig> rig = read_rig(root, setting, closing);
   const bool rig_is_faulty = !rig && root.has("rig");
   read_domain(root, rig, rig_is_faulty, made);
   if (rig) build_rig(*rig, made.walls);
+  const std::size_t parts_of_rig = made.walls.bodies.size();
   read_walls(root, setting, made.walls);
-  made.species =
-      read_species(root, book, {rig, rig_is_faulty, !made.bed.empty(), base_dir, made.seed});
-  made.particles = read_particles(root, base_dir, made.species);
+  made.species = read_species(
+      root, book, {rig, rig_is_faulty, !made.bed.empty(), made.models.heat(), made.seed});
+  made.particles = read_particles(root, made.species);
   made.fill = read_fill(root);
   made.mix = read_mix(root);
   made.react = read_react(root);
   made.chamber = read_chamber(root, rig, rig_is_faulty);
-  made.decomposition = read_decomposition(root, base_dir);
+  made.decomposition = read_decomposition(root);
   made.thermocouples = read_thermocouples(root);
   made.conductivity = read_conductivity(root, made.walls);
   made.output = read_output(root);
@@ -177,6 +151,7 @@ Case read_case(Reading& reading, const Node& document, const fs::path& base_dir)
   if (reading.faults() == 0 && root.has("species") && made.bed.empty()) count_explicit(root, made);
   if (reading.faults() == 0 && made.bed.empty()) check_time_step(reading, document, made);
   check_whole(root, made);
+  if (reading.faults() == 0) check_extents(root, parts_of_rig, made);
   if (made.models.mechanics_only) keep_mechanics(root, made);
   return made;
 }
@@ -188,17 +163,26 @@ Case load_case_text(const std::string& text, const std::string& name, const fs::
   Node document = parse_toml(text, name);
   if (document.members.empty())
     throw CaseError({{name, "", "is empty: it holds no key at all; wanted a case"}});
-  const bool is_laid = lay_on_base(document, base_dir);
-  for (const std::string& set : sets) apply_setting(document, set);
-  const bool moved = make_files_absolute(document, base_dir);
   Reading reading;
-  Case made = read_case(reading, document, base_dir);
+  reading.folders = {{"", base_dir}, {name, base_dir}};
+  const bool is_laid = lay_on_base(document, base_dir, reading.folders);
+  for (const std::string& set : sets) apply_setting(document, set);
+  Case made = read_case(reading, document);
   reading.finish();
-  if (is_laid)
-    made.text = "# " + name + ", with what it extends\n" + write_toml(document);
-  else
-    made.text = moved || !sets.empty() ? write_toml(document) : text;
+  const Node whole = with_texts(document, reading.files);
+  const bool is_written_anew =
+      is_laid || !sets.empty() || write_toml(whole) != write_toml(document);
+  made.text = is_laid ? "# " + name + ", with what it extends\n" : "";
+  made.text += is_written_anew ? write_toml(whole) : text;
+  made.mechanical_text = write_toml(without(whole, reading.motionless));
   return made;
+}
+
+std::set<std::string> keys_asked_for(const std::string& text) {
+  const Node document = parse_toml(text, "case");
+  Reading reading;
+  read_case(reading, document);
+  return reading.asked_for;
 }
 
 Case load_case(const fs::path& file, std::span<const std::string> sets) {

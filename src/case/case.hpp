@@ -1,6 +1,7 @@
 // Case files: TOML with units in, pmr::Case in SI out, or all faults at once.
 #pragma once
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 
@@ -18,8 +19,8 @@ Case load_case_text(const std::string& text, const std::string& name,
                     const std::filesystem::path& base_dir = {},
                     std::span<const std::string> sets = {});
 
-// The case's text (Case::text) without all that moves no particle: titles, temperatures, heat, gas,
-// chemistry, instruments. Cases of equal mechanical text and equal particles mix the same bed.
-std::string mechanical_text(const std::string& case_text);
+// Paths of the keys that the reader asks for in a case, given or not ("walls.tube.radius"),
+// whatever the case's faults.
+std::set<std::string> keys_asked_for(const std::string& text);
 
 }  // namespace pmr::casefile

@@ -6,6 +6,7 @@
 
 #include "case/csv_text.hpp"
 #include "case/nearest.hpp"
+#include "case/parts.hpp"
 #include "pmr/base/text.hpp"
 
 namespace pmr::casefile {
@@ -120,8 +121,12 @@ class Sheet {
     const std::optional<double> number = finite_number(cell);
     if (!number) fault(line, column.name, fmt::format("'{}' is no finite number", cell));
     const double value = column.offset + column.factor * number.value_or(0.0);
-    if ((column.name == "radius" || column.name == "temperature") && !(value > 0.0))
+    if (column.name == "radius" && !(value > 0.0))
       fault(line, column.name, fmt::format("'{}' is out of range; wanted above zero", cell));
+    if (column.name == "temperature" && !a_state_temperature.range.holds(value))
+      fault(line, column.name,
+            fmt::format("'{}' is out of range; wanted between {} and {} K", cell,
+                        a_state_temperature.range.low, a_state_temperature.range.high));
     return value;
   }
 

@@ -26,7 +26,7 @@ pmr::Table read_speed(Table& pump) {
 }
 
 std::optional<Pump> read_pump(Table& chamber) {
-  const Node* node = chamber.look_table("pump");
+  const Node* node = chamber.look_table(chamber.moves_nothing("pump"));
   if (node == nullptr) return std::nullopt;
   Table table(chamber.reading(), *node, chamber.path("pump"));
   Pump pump{};
@@ -41,7 +41,7 @@ std::optional<Pump> read_pump(Table& chamber) {
 }
 
 std::optional<Vent> read_vent(Table& chamber) {
-  const Node* node = chamber.look_table("vent");
+  const Node* node = chamber.look_table(chamber.moves_nothing("vent"));
   if (node == nullptr) return std::nullopt;
   Table table(chamber.reading(), *node, chamber.path("vent"));
   return Vent{table.value("start", a_time),
@@ -70,7 +70,7 @@ MechanicsModel read_mechanics(Table& models) {
   if (step != nullptr && !(step->kind == Node::Kind::string && step->text == "auto"))
     mechanics.time_step = table.value("time_step", a_duration);
   mechanics.allows_long_step = table.flag("allow_long_time_step", false);
-  mechanics.allowed_losses = table.count("allowed_losses", 0, 0);
+  mechanics.allowed_losses = table.count(table.moves_nothing("allowed_losses"), 0, 0);
   mechanics.impact_speed = table.maybe("impact_speed", {Dimension::speed, positive});
   mechanics.fraction_of_rayleigh =
       table.value("fraction_of_rayleigh", {Dimension::none, {0, 1, true}}, 0.189);
@@ -122,7 +122,7 @@ BedGasModel read_bed_gas(Table& models, const Node& node) {
 
 NetworkModel read_network(Table& models) {
   const Node defaults;
-  const Node* node = models.look_table("network");
+  const Node* node = models.look_table(models.moves_nothing("network"));
   Table table(models.reading(), node == nullptr ? defaults : *node, models.path("network"));
   NetworkModel network{};
   network.relative_tolerance =
@@ -154,6 +154,7 @@ std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& r
   const Want volume{Dimension::volume, positive};
   chamber.closing = table.value("closing", a_time, forever);
   const bool is_closed = table.has("closing");
+  table.moves_nothing("volume");
   if (!is_closed)
     chamber.volume = table.value("volume", volume, std::numeric_limits<double>::quiet_NaN());
   else if (rig)
@@ -162,12 +163,13 @@ std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& r
     table.maybe("volume", volume);
   else
     chamber.volume = table.value("volume", volume);
-  chamber.pressure = table.value("pressure", {Dimension::pressure, positive});
-  chamber.oxygen_fraction = table.value("oxygen_fraction", a_fraction);
-  chamber.gas_temperature = table.value("gas_temperature", a_temperature);
-  chamber.film_coefficient =
-      table.value("film_coefficient", {Dimension::film_coefficient, not_negative});
-  chamber.leak = table.value("leak", {Dimension::leak, not_negative});
+  chamber.pressure = table.value(table.moves_nothing("pressure"), {Dimension::pressure, positive});
+  chamber.oxygen_fraction = table.value(table.moves_nothing("oxygen_fraction"), a_fraction);
+  chamber.gas_temperature =
+      table.value(table.moves_nothing("gas_temperature"), a_state_temperature);
+  chamber.film_coefficient = table.value(table.moves_nothing("film_coefficient"),
+                                         {Dimension::film_coefficient, not_negative});
+  chamber.leak = table.value(table.moves_nothing("leak"), {Dimension::leak, not_negative});
   chamber.pump = read_pump(table);
   chamber.vent = read_vent(table);
   if (chamber.vent && chamber.vent->start < chamber.closing)
@@ -183,16 +185,16 @@ Models read_models(Table& root) {
   Table table(root.reading(), node == nullptr ? defaults : *node, "models");
   Models models{};
   models.mechanics = read_mechanics(table);
-  if (const Node* on = model(table, "conduction", defaults); on != nullptr)
+  if (const Node* on = model(table, table.moves_nothing("conduction"), defaults); on != nullptr)
     models.conduction = read_conduction(table, *on);
-  if (const Node* on = model(table, "radiation", defaults); on != nullptr)
+  if (const Node* on = model(table, table.moves_nothing("radiation"), defaults); on != nullptr)
     models.radiation = read_radiation(table, *on);
-  models.reaction = table.flag("reaction", false);
-  if (const Node* on = model(table, "bed_gas", defaults); on != nullptr) {
+  models.reaction = table.flag(table.moves_nothing("reaction"), false);
+  if (const Node* on = model(table, table.moves_nothing("bed_gas"), defaults); on != nullptr) {
     models.bed_gas = read_bed_gas(table, *on);
     if (root.look("chamber") == nullptr) table.fault("bed_gas", "the bed's gas wants [chamber]");
   }
-  models.mechanics_only = table.flag("mechanics_only", false);
+  models.mechanics_only = table.flag(table.moves_nothing("mechanics_only"), false);
   models.network = read_network(table);
   return models;
 }

@@ -202,9 +202,12 @@ Material read_material(Reading& reading, const Node& node, const std::string& na
   std::vector<Provenance>* const outer = reading.provenance;
   reading.provenance = &material.provenance;
   reading.records_plain_values = true;
-  const std::string path = "materials." + name;
+  const std::string path = joined("materials", name);
   {
     Table table(reading, node, path);
+    for (const char* key :
+         {"heat", "conductivity", "emissivity", "emissivity_per_delta", "accommodation", "redox"})
+      table.moves_nothing(key);
     material.density = table.value("density", {Dimension::density, positive}, nan);
     read_elasticity(table, material);
     material.heat = ConstantHeat{nan};

@@ -42,7 +42,7 @@ std::string lacking(const Material& m, unsigned roles, const Models& models) {
   const bool lining = in_role(MaterialBook::Role::lining);
   const bool no_heat = std::visit([](const auto& law) { return lacks(law); }, m.heat);
   if ((particle || lining) && std::isnan(m.density)) return "density";
-  if ((particle || lining) && no_heat) return "heat";
+  if ((particle || lining) && no_heat && models.heat()) return "heat";
   if (touches && std::isnan(m.young_soft)) return "young_soft";
   if (touches && std::isnan(m.poisson_soft)) return "poisson_soft";
   if (touches && models.radiation && std::isnan(m.emissivity.table.y.front())) return "emissivity";
@@ -165,6 +165,8 @@ Materials MaterialBook::finish(const Models& models) {
   };
   for (std::uint32_t i = 0; i < n; ++i) {
     check(i, models);
+    auto* heat = std::get_if<ConstantHeat>(&materials_.list[i].heat);
+    if (!models.heat() && heat != nullptr && lacks(*heat)) *heat = {0.0};  // it holds none
     for (std::uint32_t j = i; j < n; ++j) {
       const bool both = has(i, Role::particle) && has(j, Role::particle);
       const bool with_wall = (has(i, Role::particle) && has(j, Role::surface)) ||

@@ -55,6 +55,31 @@ void write_table(const Node& table, const std::string& path, std::string& out) {
   }
 }
 
+// Calls look(node, path) for a node and all below it, from above.
+template <class Look>
+void visit_members(Node& node, const std::string& path, const Look& look) {
+  look(node, path);
+  for (auto& [key, member] : node.members) visit_members(member, joined(path, key), look);
+  for (std::size_t k = 0; k < node.items.size(); ++k)
+    visit_members(node.items[k], joined(path, std::to_string(k)), look);
+}
+
+// A table that loses all its keys goes with them.
+Node left_of(const Node& node, const std::set<std::string>& paths, const std::string& path) {
+  Node left = node;
+  left.members.clear();
+  for (const auto& [key, member] : node.members) {
+    const std::string inner = joined(path, key);
+    if (paths.contains(inner)) continue;
+    Node kept = left_of(member, paths, inner);
+    if (kept.members.empty() && !member.members.empty()) continue;
+    left.members.emplace(key, std::move(kept));
+  }
+  for (std::size_t k = 0; k < node.items.size(); ++k)
+    left.items[k] = left_of(node.items[k], paths, joined(path, std::to_string(k)));
+  return left;
+}
+
 bool is_all_digits(const std::string& text) {
   if (text.empty() || text.size() > 9) return false;
   for (const char c : text)
@@ -114,6 +139,23 @@ void disown(Node& base, const Node& over) {
 std::string to_string(const Place& place) {
   if (place.line == 0) return place.file;
   return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+}
+
+std::string joined(const std::string& table, const std::string& key) {
+  const std::string shown = key.find_first_of(".| ") == std::string::npos ? key : '"' + key + '"';
+  return table.empty() ? shown : table + "." + shown;
+}
+
+Node without(const Node& table, const std::set<std::string>& paths) {
+  return left_of(table, paths, "");
+}
+
+Node with_texts(const Node& table, const std::map<std::string, std::string>& texts) {
+  Node changed = table;
+  visit_members(changed, "", [&](Node& node, const std::string& path) {
+    if (const auto found = texts.find(path); found != texts.end()) node.text = found->second;
+  });
+  return changed;
 }
 
 const Node* Node::find(const std::string& key) const {

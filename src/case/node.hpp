@@ -1,6 +1,7 @@
 // A TOML document as plain data, with the place of every value.
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ struct Node {
   const Node* find(const std::string& key) const;
   bool is_table() const { return kind == Kind::table; }
 };
+
+// "table.key", as keys are named in messages.
+std::string joined(const std::string& table, const std::string& key);
+
+// The table without the keys of these paths, and without tables that hold nothing else.
+Node without(const Node& table, const std::set<std::string>& paths);
+
+// The table with these texts instead of those of the keys of these paths.
+Node with_texts(const Node& table, const std::map<std::string, std::string>& texts);
 
 // Reads TOML text; throws CaseError with file:line:column of a mistake in the syntax.
 Node parse_toml(const std::string& text, const std::string& file);

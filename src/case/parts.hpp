@@ -1,14 +1,19 @@
 // Readers of the parts of a case, one function each.
 #pragma once
-#include <filesystem>
 #include <span>
 
 #include "case/materials.hpp"
 #include "case/reader.hpp"
 #include "case/rig.hpp"
+#include "chemistry/heat_curve.hpp"
 #include "pmr/state/case.hpp"
 
 namespace pmr::casefile {
+
+// Of a particle or a gas: what the laws of heat are solved for.
+inline constexpr Want a_state_temperature{
+    Dimension::temperature,
+    {chemistry::lowest_temperature, chemistry::highest_temperature, true, true}};
 
 // species.cpp
 // What the rest of the case says about where particles come from.
@@ -16,12 +21,11 @@ struct ParticleSetting {
   const std::optional<Rig>& rig;
   bool rig_is_faulty;
   bool has_bed;
-  const std::filesystem::path& base_dir;
+  bool heat;  // temperatures matter
   std::uint64_t seed;
 };
 std::vector<Species> read_species(Table& root, MaterialBook& book, const ParticleSetting& setting);
-std::vector<ExplicitParticle> read_particles(Table& root, const std::filesystem::path& base_dir,
-                                             std::span<const Species> species);
+std::vector<ExplicitParticle> read_particles(Table& root, std::span<const Species> species);
 // Counts the explicit particles of species without a region.
 void count_explicit(Table& root, Case& made);
 
@@ -29,7 +33,7 @@ void count_explicit(Table& root, Case& made);
 std::optional<FillPhase> read_fill(Table& root);
 std::optional<MixPhase> read_mix(Table& root);
 std::optional<ReactPhase> read_react(Table& root);
-std::optional<Decomposition> read_decomposition(Table& root, const std::filesystem::path& base_dir);
+std::optional<Decomposition> read_decomposition(Table& root);
 std::vector<Thermocouple> read_thermocouples(Table& root);
 std::optional<ConductivityInstrument> read_conductivity(Table& root, const Walls& walls);
 OutputCase read_output(Table& root);

@@ -14,7 +14,10 @@ namespace {
 
 constexpr Want a_speed{Dimension::speed, positive};
 
+// Without one the phase takes its whole duration: no speed is below zero.
 RestCriterion read_rest(Table& table) {
+  const bool is_given = table.look("rest_speed") != nullptr || table.look("rest_hold") != nullptr;
+  if (!is_given) return {0.0, 0.0};
   return {table.value("rest_speed", a_speed), table.value("rest_hold", a_duration)};
 }
 
@@ -52,7 +55,7 @@ std::optional<MixPhase> read_mix(Table& root) {
 }
 
 std::optional<ReactPhase> read_react(Table& root) {
-  const Node* node = root.look_table("react");
+  const Node* node = root.look_table(root.moves_nothing("react"));
   if (node == nullptr) return std::nullopt;
   Table table(root.reading(), *node, "react");
   ReactPhase react{};
@@ -63,9 +66,8 @@ std::optional<ReactPhase> read_react(Table& root) {
   return react;
 }
 
-std::optional<Decomposition> read_decomposition(Table& root,
-                                                const std::filesystem::path& base_dir) {
-  const Node* node = root.look_table("decomposition");
+std::optional<Decomposition> read_decomposition(Table& root) {
+  const Node* node = root.look_table(root.moves_nothing("decomposition"));
   if (node == nullptr) return std::nullopt;
   Table table(root.reading(), *node, "decomposition");
   Decomposition tool{};
@@ -76,24 +78,25 @@ std::optional<Decomposition> read_decomposition(Table& root,
   if (sum > 1.0) table.fault("layer_fraction", fmt::format("adds up to {}, more than 1", sum));
   tool.sectors = static_cast<std::uint32_t>(table.count("sectors", 1));
   tool.reference_source = table.word_or("reference_source", "");
-  const std::string reference = table.word_or("reference", "");
+  const std::string reference = table.file_if_any("reference");
   const bool is_whole = !tool.layer_fraction.empty() && tool.sectors > 0;
   if (!reference.empty() && is_whole)
-    tool.reference = read_reference_csv(root.reading(), base_dir / reference, tool);
+    tool.reference = read_reference_csv(root.reading(), reference, tool);
   return tool;
 }
 
 std::vector<Thermocouple> read_thermocouples(Table& root) {
   std::vector<Thermocouple> all;
-  for_each_table(root, "thermocouples", [&](Table& table, const std::string& name) {
-    all.push_back(
-        {name, table.vector("position", Dimension::length), table.value("radius", a_length)});
-  });
+  for_each_table(
+      root, root.moves_nothing("thermocouples"), [&](Table& table, const std::string& name) {
+        all.push_back(
+            {name, table.vector("position", Dimension::length), table.value("radius", a_length)});
+      });
   return all;
 }
 
 std::optional<ConductivityInstrument> read_conductivity(Table& root, const Walls& walls) {
-  const Node* node = root.look_table("conductivity");
+  const Node* node = root.look_table(root.moves_nothing("conductivity"));
   if (node == nullptr) return std::nullopt;
   Table table(root.reading(), *node, "conductivity");
   ConductivityInstrument tool{};
@@ -118,11 +121,14 @@ OutputCase read_output(Table& root) {
   Table table(root.reading(), node == nullptr ? empty : *node, "output");
   OutputCase output{};
   output.snapshot_interval = table.value("snapshot_interval", a_duration, 0.04);
-  output.snapshot_times = table.values("snapshot_times", a_time, {});
-  output.checkpoint_wall_time = table.value("checkpoint_wall_time", a_duration, 60.0);
-  output.cut_point = table.vector("cut_point", Dimension::length, Vec3::Zero());
+  output.snapshot_times = table.values(table.moves_nothing("snapshot_times"), a_time, {});
+  output.checkpoint_wall_time =
+      table.value(table.moves_nothing("checkpoint_wall_time"), a_duration, 60.0);
+  output.cut_point =
+      table.vector(table.moves_nothing("cut_point"), Dimension::length, Vec3::Zero());
   output.cut_normal = Vec3::UnitY();
-  if (table.look("cut_normal") != nullptr) output.cut_normal = table.direction("cut_normal");
+  if (table.look(table.moves_nothing("cut_normal")) != nullptr)
+    output.cut_normal = table.direction("cut_normal");
   return output;
 }
 

@@ -90,10 +90,7 @@ void Table::report_unknown() {
   }
 }
 
-std::string Table::path(const std::string& key) const {
-  const std::string shown = key.find_first_of(".| ") == std::string::npos ? key : '"' + key + '"';
-  return path_.empty() ? shown : path_ + "." + shown;
-}
+std::string Table::path(const std::string& key) const { return joined(path_, key); }
 
 void Table::fault(const std::string& key, const std::string& problem) {
   const Node* node = node_.find(key);
@@ -106,7 +103,10 @@ void Table::ignore_rest() {
 }
 
 const Node* Table::look(const std::string& key) {
-  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) {
+    asked_.push_back(key);
+    reading_.asked_for.insert(path(key));
+  }
   return node_.find(key);
 }
 
@@ -284,6 +284,26 @@ std::string Table::word_or(const std::string& key, const std::string& fallback) 
   if (node->kind == Node::Kind::string) return node->text;
   fault(key, fmt::format("is {}; wanted a text in quotes", kind_name(*node)));
   return fallback;
+}
+
+std::string Table::file(const std::string& key, const std::string& wanted) {
+  return need(key, wanted) == nullptr ? std::string() : file_if_any(key);
+}
+
+std::string Table::file_if_any(const std::string& key) {
+  const std::string name = word_or(key, "");
+  if (name.empty()) return name;
+  const auto folder = reading_.folders.find(node_.find(key)->place.file);
+  const auto base = folder == reading_.folders.end() ? reading_.folders.find("") : folder;
+  const std::filesystem::path from = base == reading_.folders.end() ? "" : base->second;
+  const auto absolute = std::filesystem::absolute(from / name).lexically_normal();
+  return reading_.files[path(key)] =
+             std::filesystem::path(name).is_absolute() ? name : absolute.string();
+}
+
+const std::string& Table::moves_nothing(const std::string& key) {
+  reading_.motionless.insert(path(key));
+  return key;
 }
 
 std::string Table::choice(const std::string& key, const std::vector<std::string>& words) {

@@ -2,8 +2,11 @@
 // asked for is a fault, every figure with a source is recorded.
 #pragma once
 #include <array>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -49,6 +52,11 @@ class Reading {
   Units units;
   std::vector<Provenance>* provenance = nullptr;  // where figures are recorded; may be none
   bool records_plain_values = false;              // a plain value is a figure "given in the case"
+  std::map<std::string, std::filesystem::path> folders;  // of the files that the document is from
+  // What the keys said of themselves as they were read, by their paths ("walls.tube.file").
+  std::set<std::string> asked_for;           // all, given or not
+  std::set<std::string> motionless;          // those that move no particle
+  std::map<std::string, std::string> files;  // absolute names of files
 
   void fault(const Place& place, const std::string& key, const std::string& problem);
   std::size_t faults() const { return faults_.size(); }
@@ -93,6 +101,15 @@ class Table {
   // One of the words; "" after a fault.
   std::string choice(const std::string& key, const std::vector<std::string>& words);
 
+  // The absolute name of a file; one that is relative starts from the folder of the file that it
+  // stands in. "" after a fault, or where there is none.
+  std::string file(const std::string& key, const std::string& wanted);
+  std::string file_if_any(const std::string& key);
+
+  // Says of a key (and of all in its table) that it moves no particle: titles, temperatures, heat,
+  // gas, chemistry, instruments. Cases that differ in such keys alone share one mixing.
+  const std::string& moves_nothing(const std::string& key);
+
   void fault(const std::string& key, const std::string& problem);  // at the key's place
   // After a fault that hides what the other keys mean.
   void ignore_rest();
@@ -125,7 +142,7 @@ void for_each_table(Table& parent, const std::string& key, const Read& read) {
   const Node* node = parent.look_table(key);
   if (node == nullptr) return;
   for (const auto& [name, member] : node->members) {
-    const std::string path = parent.path(key) + "." + name;
+    const std::string path = joined(parent.path(key), name);
     if (!member.is_table()) {
       parent.reading().fault(member.place, path, "wanted a table");
       continue;

@@ -52,10 +52,10 @@ std::optional<SizeLaw> curve_of(Table& table, std::vector<double> diameter,
 }
 
 // "diameter [mm], passing" (a curve) or "diameter [mm], mass_fraction" (classes).
-std::optional<SizeLaw> read_csv(Table& table, const std::filesystem::path& base_dir) {
-  const std::string name = table.word("csv", "the name of a CSV file");
+std::optional<SizeLaw> read_csv(Table& table) {
+  const std::string name = table.file("csv", "the name of a CSV file");
   if (name.empty()) return std::nullopt;
-  const auto sheet = read_number_csv(table.reading(), base_dir / name,
+  const auto sheet = read_number_csv(table.reading(), name,
                                      {{"diameter", Dimension::length},
                                       {"passing", Dimension::none},
                                       {"mass_fraction", Dimension::none}});
@@ -73,7 +73,7 @@ std::optional<SizeLaw> read_csv(Table& table, const std::filesystem::path& base_
   return curve_of(table, diameter, passing);
 }
 
-std::optional<SizeLaw> read_law(Table& table, const std::filesystem::path& base_dir) {
+std::optional<SizeLaw> read_law(Table& table) {
   const std::string law =
       table.choice("law", {"classes", "normal", "log-normal", "rosin-rammler", "csv"});
   if (law == "classes")
@@ -87,20 +87,19 @@ std::optional<SizeLaw> read_law(Table& table, const std::filesystem::path& base_
   if (law == "rosin-rammler")
     return physics::RosinRammlerSizes{table.value("scale", a_length),
                                       table.value("exponent", {Dimension::none, {0.5, 100}})};
-  if (law == "csv") return read_csv(table, base_dir);
+  if (law == "csv") return read_csv(table);
   table.ignore_rest();
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<physics::SizeDistribution> read_sizes(Table& species,
-                                                    const std::filesystem::path& base_dir) {
+std::optional<physics::SizeDistribution> read_sizes(Table& species) {
   const Node* node = species.need_table("size");
   if (node == nullptr) return std::nullopt;
   Table table(species.reading(), *node, species.path("size"));
   const std::size_t before = table.reading().faults();
-  const auto law = read_law(table, base_dir);
+  const auto law = read_law(table);
   if (!law || table.reading().faults() != before) {
     table.ignore_rest();
     return std::nullopt;

@@ -1,6 +1,5 @@
 // Size distributions of a species, by mass.
 #pragma once
-#include <filesystem>
 #include <optional>
 
 #include "case/reader.hpp"
@@ -9,7 +8,6 @@
 namespace pmr::casefile {
 
 // `size = {law = ..., ...}` of a species; none after a fault.
-std::optional<physics::SizeDistribution> read_sizes(Table& species,
-                                                    const std::filesystem::path& base_dir);
+std::optional<physics::SizeDistribution> read_sizes(Table& species);
 
 }  // namespace pmr::casefile

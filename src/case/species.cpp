@@ -16,13 +16,14 @@ namespace {
 constexpr std::size_t most_species = 255;  // SpeciesIndex is a byte
 constexpr double densest_random = 0.64;    // [1] solid fraction of random close packing
 constexpr double most_particles = 4.0e9;   // ParticleId is 32 bits
-constexpr double most_drawn = 4.0e8;       // [1] typical particles; their sizes are kept in memory
+constexpr double room_temperature = zero_celsius + 20.0;  // [K] where nothing depends on it
+constexpr double most_drawn = 4.0e8;  // [1] typical particles; their sizes are kept in memory
 
 double sphere_volume(double diameter) { return pi / 6.0 * diameter * diameter * diameter; }  // [m3]
 
 InitialDelta read_delta(Table& table) {
   const Want delta{Dimension::none, {0.0, 3.0, true, true}};
-  const Node* node = table.need("delta",
+  const Node* node = table.need(table.moves_nothing("delta"),
                                 "a number, or {equilibrium_at = \"700 degC\", oxygen = "
                                 "\"21278 Pa\"}");
   if (node == nullptr) return 0.0;
@@ -104,7 +105,7 @@ void read_particles_of(Table& table, const Material& material, std::size_t index
     return;
   }
   if (table.has("size")) {
-    const auto sizes = read_sizes(table, at.base_dir);
+    const auto sizes = read_sizes(table);
     if (table.look("diameter") != nullptr) table.fault("size", "wanted diameter or size, not both");
     if (sizes)
       draw_amount(table, *sizes, {at.seed, index, material.density}, species);
@@ -124,7 +125,10 @@ Species read_one(Table& table, const std::string& name, std::size_t index, Mater
   species.name = name;
   species.material = book.use(table, "material", MaterialBook::Role::particle);
   species.dump_type = static_cast<std::uint32_t>(table.count("dump_type", 1, 0));
-  species.initial_temperature = table.value("temperature", a_temperature);
+  table.moves_nothing("temperature");
+  species.initial_temperature =
+      at.heat ? table.value("temperature", a_state_temperature)
+              : table.value("temperature", a_state_temperature, room_temperature);
   species.region = read_region(table, at.rig, at.rig_is_faulty);
   species.pour = read_pour(table);
   if (table.has("region") && table.has("pour"))
@@ -164,7 +168,7 @@ ExplicitParticle read_particle(Table& table, std::span<const Species> species) {
   particle.position = table.vector("position", Dimension::length);
   particle.velocity = table.vector("velocity", Dimension::speed, Vec3::Zero());
   particle.spin = table.vector("spin", Dimension::spin, Vec3::Zero());
-  particle.temperature = table.maybe("temperature", a_temperature);
+  particle.temperature = table.maybe(table.moves_nothing("temperature"), a_state_temperature);
   particle.radius = table.maybe("radius", a_length);
   return particle;
 }
@@ -182,15 +186,14 @@ std::vector<Species> read_species(Table& root, MaterialBook& book, const Particl
   return all;
 }
 
-std::vector<ExplicitParticle> read_particles(Table& root, const std::filesystem::path& base_dir,
-                                             std::span<const Species> species) {
+std::vector<ExplicitParticle> read_particles(Table& root, std::span<const Species> species) {
   std::vector<ExplicitParticle> all;
   const Node* node = root.look("particles");
   if (node == nullptr) return all;
   if (node->is_table()) {
     Table table(root.reading(), *node, "particles");
-    const std::string file = table.word("csv", "the name of a CSV file");
-    return file.empty() ? all : read_particles_csv(root.reading(), base_dir / file, species);
+    const std::string file = table.file("csv", "the name of a CSV file");
+    return file.empty() ? all : read_particles_csv(root.reading(), file, species);
   }
   if (node->kind != Node::Kind::array) {
     root.fault("particles", "wanted [[particles]] or {csv = \"file.csv\"}");

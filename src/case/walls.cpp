@@ -114,11 +114,11 @@ std::vector<Shape> read_box(Table& table) {
   return sides;
 }
 
-std::vector<Shape> read_stl_wall(Table& table, const WallSetting& setting) {
-  const std::string file = table.word("file", "the name of an STL file");
+std::vector<Shape> read_stl_wall(Table& table) {
+  const std::string file = table.file("file", "the name of an STL file");
   const double scale = table.value("scale", a_length);  // an STL file has no unit
   if (file.empty()) return {};
-  const StlFile stl = read_stl(setting.base_dir / file, scale);
+  const StlFile stl = read_stl(file, scale);
   for (const std::string& problem : stl.problems) table.fault("file", problem);
   if (!stl.problems.empty()) return {};
   std::vector<Shape> facets;
@@ -126,7 +126,7 @@ std::vector<Shape> read_stl_wall(Table& table, const WallSetting& setting) {
   return facets;
 }
 
-std::vector<Shape> read_shapes(Table& table, const WallSetting& setting) {
+std::vector<Shape> read_shapes(Table& table) {
   const std::string kind =
       table.choice("kind", {"plane", "disc", "cylinder", "cone", "box", "stl"});
   if (kind == "plane") return {read_plane(table)};
@@ -134,7 +134,7 @@ std::vector<Shape> read_shapes(Table& table, const WallSetting& setting) {
   if (kind == "cylinder") return {read_cylinder(table)};
   if (kind == "cone") return {read_cone(table)};
   if (kind == "box") return read_box(table);
-  if (kind == "stl") return read_stl_wall(table, setting);
+  if (kind == "stl") return read_stl_wall(table);
   table.ignore_rest();
   return {};
 }
@@ -149,7 +149,7 @@ void read_wall(Table& table, const std::string& name, const WallSetting& setting
   pattern.patches = read_patches(table, "patches", {1, 1});
   pattern.holds_particles = table.flag("holds_particles", true);
   walls.bodies.push_back({name, read_motion(table)});
-  const std::vector<Shape> shapes = read_shapes(table, setting);
+  const std::vector<Shape> shapes = read_shapes(table);
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     Surface surface = pattern;
     surface.name = shapes.size() == 1 ? name : fmt::format("{}.{}", name, k);
@@ -162,6 +162,7 @@ void read_wall(Table& table, const std::string& name, const WallSetting& setting
 }  // namespace
 
 ThermalBoundary read_thermal(Table& parent, const std::string& key, const WallSetting& setting) {
+  parent.moves_nothing(key);
   const Node* node = setting.heat ? parent.need_table(key) : parent.look_table(key);
   if (node == nullptr) return Adiabatic{};
   Table table(parent.reading(), *node, parent.path(key));

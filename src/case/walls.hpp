@@ -1,7 +1,5 @@
 // Walls of a case: [walls.NAME].
 #pragma once
-#include <filesystem>
-
 #include "case/materials.hpp"
 #include "case/reader.hpp"
 #include "pmr/state/walls.hpp"
@@ -11,8 +9,7 @@ namespace pmr::casefile {
 // What the readers of walls share.
 struct WallSetting {
   MaterialBook& book;
-  std::filesystem::path base_dir;  // of relative file names
-  bool heat;                       // a heat model is on, so every wall says its boundary
+  bool heat;  // a heat model is on, so every wall says its boundary
 };
 
 // Appends the walls of [walls] to `walls`.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "case/extents.hpp"
 #include "cli/console.hpp"
 #include "cli/start.hpp"
 #include "cli/verbs.hpp"
@@ -68,6 +69,9 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   const auto nodes = coupling::number_nodes(c, particles);
   fmt::print("walls        {} bodies, {} surfaces, {} heat patches, {} wall cells\n",
              c.walls.bodies.size(), c.walls.surfaces.size(), nodes.patches.size(), nodes.cells);
+  for (std::size_t body = 0; body < c.walls.bodies.size(); ++body)
+    fmt::print("  {:10} {}\n", c.walls.bodies[body].name,
+               casefile::to_text(casefile::extent_of(c.walls, body)));
   const auto assumed = std::count_if(c.provenance.begin(), c.provenance.end(),
                                      [](const Provenance& p) { return p.mark == 'A'; });
   fmt::print("sources      {} figures of the case, {} of them assumed\n", c.provenance.size(),

@@ -75,6 +75,7 @@ void Simulation::open() {
 void Simulation::step(const StopToken& stop) {
   note_state();
   const Interval interval = schedule_.next(state_);
+  const double deepest = state_.extremes.overlap_ratio;
   if (interval.moves()) pour();
   if (interval.moves()) move(interval, stop);
   if (interval.closes_chamber) coupling::close_chamber(case_, state_);
@@ -86,7 +87,7 @@ void Simulation::step(const StopToken& stop) {
   const bool phase_ended =
       schedule_.move_on(state_, is_pouring ? std::numeric_limits<double>::infinity()
                                            : physics::rms_speed(state_.particles));
-  refuse_walls_in_particles(interval.begin);
+  refuse_walls_in_particles(interval.begin, deepest);
   if (phase_ended && state_.phase == Phase::react) settle();
   recorder_.record(state_, interval.takes_snapshot || phase_ended);
 }
@@ -94,13 +95,13 @@ void Simulation::step(const StopToken& stop) {
 // A wall that has come in since must have found its place free: its contacts would throw off what
 // it cuts into, and conduct as none does. As deep as the run's contacts were it may stand: where
 // one floor takes the place of another.
-void Simulation::refuse_walls_in_particles(double before) const {
+void Simulation::refuse_walls_in_particles(double before, double deepest) const {
   const auto came_in = [&](const Surface& surface) {
     return !is_present(surface, before) && is_present(surface, state_.time);
   };
   const auto& surfaces = case_.walls.surfaces;
   if (std::none_of(surfaces.begin(), surfaces.end(), came_in)) return;
-  const double limit = std::max(physics::largest_opening_overlap, state_.extremes.overlap_ratio);
+  const double limit = std::max(physics::largest_opening_overlap, deepest);
   const auto found =
       physics::wall_overlaps(state_.particles, case_.walls, state_.time, limit, came_in);
   if (found.excessive.empty()) return;

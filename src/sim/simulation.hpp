@@ -51,7 +51,8 @@ class Simulation {
   void open();
   void settle();
   void open_pores();
-  void refuse_walls_in_particles(double before) const;
+  // `before` [s] and `deepest` [1] of the radius: clock and deepest contact when the step began.
+  void refuse_walls_in_particles(double before, double deepest) const;
   void pour();
   void move(const Interval& interval, const StopToken& stop);
   void retrace_if_due(const Interval& interval, const StopToken& stop);

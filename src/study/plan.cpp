@@ -129,7 +129,7 @@ std::string name_of(const Study& study, const PlannedRun& run) {
 // Of all that decides where the particles go.
 std::string mechanical_hash(const Case& c) {
   Hash hash;
-  hash.add(std::string_view(casefile::mechanical_text(c.text)));
+  hash.add(std::string_view(c.mechanical_text));
   for (const Species& s : c.species) {
     hash.add(s.count);
     hash.add(s.diameter);

@@ -148,3 +148,32 @@ TEST_CASE("a CSV file of particles is read with the units of its header") {
   CHECK_THAT(row_faults[0], Contains(file + ":2:1: species") && Contains("'bead'"));
   CHECK_THAT(row_faults[1], Contains("'x' is no finite number"));
 }
+
+TEST_CASE("a case of mechanics alone needs no heat data, no temperatures and no rest") {
+  const std::string powder =
+      "[materials.powder]\ndensity = \"2500 kg/m3\"\nyoung_soft = \"5 MPa\"\n"
+      "poisson_soft = 0.3\n";
+  std::string contacts;
+  for (const char* pair : {"powder|powder", "powder|coated-wall"})
+    contacts += "[contacts.\"" + std::string(pair) +
+                "\"]\nfriction = 0.5\nrolling_friction = 0.0\nrestitution = 0.5\n";
+  std::string text = replaced(small_case, "\"Al2O3\"", "\"powder\"");
+  text = replaced(text, "temperature = \"20 degC\"\n", "");
+  text = replaced(text, "rest_speed = \"2 mm/s\"\nrest_hold = \"20 ms\"\n", "") + powder + contacts;
+  const Case made = load(text);
+  CHECK(made.species[0].initial_temperature == Approx(293.15));
+  CHECK(std::get<ConstantHeat>(made.materials.list[0].heat).heat_capacity == 0.0);
+  CHECK(made.fill->rest.rms_speed == 0.0);
+
+  const auto with_heat = faults_of(text +
+                                   "[react]\nend = \"1 s\"\n[models]\nradiation = {surroundings = "
+                                   "\"20 degC\"}\n");
+  std::string all;
+  for (const std::string& fault : with_heat) all += fault + "\n";
+  CHECK_THAT(all, Contains("materials.powder.heat: is missing") &&
+                      Contains("species.bead.temperature: is missing"));
+}
+
+TEST_CASE("half of the rest's criterion is a fault") {
+  CHECK_THAT(only_fault("rest_hold = \"20 ms\"\n", ""), Contains("fill.rest_hold: is missing"));
+}

@@ -29,7 +29,7 @@ std::string cube_stl() {
 
 std::string stl_case(const std::string& file) {
   return small_case + "[walls.cube]\nkind = \"stl\"\nmaterial = \"coated-wall\"\nfile = \"" + file +
-         "\"\nscale = \"1 mm\"\n";
+         "\"\nscale = \"10 mm\"\n";
 }
 
 double area(const Facet& facet) {
@@ -51,7 +51,7 @@ TEST_CASE("an STL cube becomes six flat facets of one body") {
     const auto* facet = std::get_if<Facet>(&surface.shape);
     if (facet == nullptr) continue;
     CHECK(facet->triangles.size() == 2);
-    CHECK(area(*facet) == Approx(1e-6).epsilon(1e-6));
+    CHECK(area(*facet) == Approx(1e-4).epsilon(1e-6));
     sum += area(*facet) * facet->normal;
   }
   CHECK(sum.norm() < 1e-12);  // a closed surface (Gauss)
@@ -72,7 +72,7 @@ TEST_CASE("a bad STL triangle is named by its number, a broken file by its name"
 TEST_CASE("an STL wall without a scale is a fault: the format has no unit") {
   const std::string file = temporary("pmr_test_cube.stl");
   std::ofstream(file) << cube_stl();
-  CHECK_THAT(faults_of(replaced(stl_case(file), "scale = \"1 mm\"\n", "")).at(0),
+  CHECK_THAT(faults_of(replaced(stl_case(file), "scale = \"10 mm\"\n", "")).at(0),
              Contains("walls.cube.scale: is missing; wanted a length"));
 }
 

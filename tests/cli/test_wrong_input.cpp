@@ -78,6 +78,27 @@ TEST_CASE("A folder of the user's own files is not overwritten") {
   CHECK(fs::exists(scratch.path / "thesis.tex"));
   CHECK_FALSE(fs::exists(scratch.path / "run.h5"));
 }
+TEST_CASE("Particles that begin in a wall are refused") {
+  refuses(with("walls.floor.centre = \"0 0 3 mm\""), "overlap wall 'floor'");
+}
+TEST_CASE("A gas colder than any law of heat is refused") {
+  refuses(with("chamber.gas_temperature = \"-150 degC\""), "chamber.gas_temperature");
+}
+TEST_CASE("A run that loses its particles fails and leaves what it computed") {
+  const Scratch scratch("lost");
+  const std::string shallow =
+      " --set 'walls.side.height = \"1 mm\"' --set 'walls.floor.radius = "
+      "\"3 mm\"' --mechanics -o " +
+      (scratch.path / "out").string();
+  const Said said = pmr_says("run " + tiny + shallow);
+  INFO(said.text);
+  CHECK(said.status == 3);
+  CHECK(said.text.find("particles left the domain") != std::string::npos);
+  CHECK(said.text.find("models.mechanics.allowed_losses") != std::string::npos);
+  CHECK(fs::exists(scratch.path / "out/summary.json"));
+  CHECK(pmr_says("run " + tiny + " --set models.mechanics.allowed_losses=140" + shallow).status ==
+        0);
+}
 TEST_CASE("Several faults are told together") {
   refuses(with("species.Al2O3.diametre = \"3 mm\"") + " --set 'chamber.volume = 3'", "volume", 2);
 }

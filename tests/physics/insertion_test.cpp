@@ -2,6 +2,7 @@
 #include "physics/insertion.hpp"
 
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "mechanics_scene.hpp"
 #include "physics/neighbours.hpp"
@@ -152,4 +153,55 @@ TEST_CASE("Spheres of many sizes fill a tube in turns, apart from each other") {
   const auto faults = physics::insertion_faults(c);
   REQUIRE(faults.size() == 1);
   CHECK_THAT(faults[0].problem, Catch::Contains("of 3000") && Catch::Contains("need a height"));
+}
+
+TEST_CASE("Particles that begin in a wall are a fault with their number and the deepest one") {
+  const auto faults = [](double z, const std::function<void(Case&)>& change = {}) {
+    Case c = bare_case();
+    add_can(c, 0.02);
+    c.walls.bodies[1].name = "floor";
+    add_particle(c, Vec3(0, 0, z), Vec3::Zero());
+    add_particle(c, Vec3(0, 0.01, 0.02), Vec3::Zero());
+    if (change) change(c);
+    std::string all;
+    for (const Fault& fault : physics::insertion_faults(c)) all += to_string(fault) + "\n";
+    return all;
+  };
+  CHECK(faults(radius).empty());
+  CHECK(faults(0.91 * radius).empty());  // by less than a tenth, as two particles may
+  CHECK_THAT(faults(0.89 * radius),
+             Catch::Contains("particles[0]: at the start 1 particles overlap wall 'floor' by more "
+                             "than 10 %") &&
+                 Catch::Contains("by 11.0 %"));
+  CHECK_THAT(faults(0.0), Catch::Contains("by 100.0 %"));  // the centre on the wall
+  CHECK_THAT(faults(-0.5 * radius), Catch::Contains("by 50.0 %"));
+  const auto later = [](Case& c) { c.walls.surfaces[1].from = 1e-9; };
+  CHECK(faults(0.0, later).empty());  // not there yet
+  const auto seen_only = [](Case& c) { c.walls.surfaces[1].holds_particles = false; };
+  CHECK(faults(0.0, seen_only).empty());
+  const auto away = [](Case& c) {  // as it stands when the fill begins
+    c.fill = FillPhase{1.0, {}};
+    c.walls.bodies[1].motion = Translate{Vec3(0, 0, 0.01), -2.0, 0.0};
+  };
+  CHECK_THAT(faults(0.01, away), Catch::Contains("by 100.0 %"));
+}
+
+TEST_CASE("A region that is wider than its tube is a fault that names the tube") {
+  Case c = bare_case();
+  add_can(c, 0.02);
+  c.walls.bodies[0].name = "side";
+  fill(c, 500, 500, 0.028, 0.0);
+  std::string all;
+  for (const Fault& fault : physics::insertion_faults(c)) all += to_string(fault) + "\n";
+  CHECK_THAT(all, Catch::Contains("overlap wall 'side'"));
+}
+
+TEST_CASE("A region of a thousand kilometres is refused at once") {
+  Case c = bare_case();
+  c.domain_low = Vec3::Constant(-2e6);
+  c.domain_high = Vec3::Constant(2e6);
+  fill(c, 10, 0, 1e6, 0.0);
+  const auto faults = physics::insertion_faults(c);
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0].problem, Catch::Contains("3000 diameters"));
 }

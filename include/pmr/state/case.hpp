@@ -182,6 +182,8 @@ struct Models {
   bool reaction = false;
   std::optional<BedGasModel> bed_gas;  // none: the bed's gas is the chamber's
   NetworkModel network;
+
+  bool heat() const { return conduction || radiation || reaction; }
 };
 
 // --- Instruments and output
@@ -240,6 +242,9 @@ struct Case {
   OutputCase output;
   std::vector<Provenance> provenance;  // of dimensions and settings: key, value, paper or assumed
   std::string text;                    // the TOML as read, with --set applied, for the record
+  // The text without all that moves no particle: titles, temperatures, heat, gas, chemistry,
+  // instruments. Cases of equal mechanical text and equal particles mix the same bed.
+  std::string mechanical_text;
 };
 
 }  // namespace pmr
