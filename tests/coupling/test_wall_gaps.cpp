@@ -176,10 +176,18 @@ TEST_CASE("heat counts seams, cracks, steps and walls behind walls once, corners
   }
   const Plane wall{Vec3(-0.999 * radius, 0, 0), Vec3::UnitX()};
   const Vec3 uphill(0.6, 0, 0.8);
-  const Plane slope{radius * Vec3::UnitZ() - 0.999 * radius * uphill, uphill};
+  const Plane slope{state.particles.position[0] - 0.999 * radius * uphill, uphill};
   CHECK(links({floor_plane, wall}).links == 2);
   CHECK(links({floor_plane, wall}).gap == Approx(2.0 * one).epsilon(1e-3));
   CHECK(links({floor_plane, slope}).links == 2);
+  const double between = 20.0 * pi / 180.0;  // less than two surfaces, more than one
+  const Vec3 steep(std::sin(between), 0, std::cos(between));
+  const Plane bend{state.particles.position[0] - 0.999 * radius * steep, steep};
+  const auto cosine = [](double degrees) { return std::cos(degrees * pi / 180.0); };
+  const double share = (cosine(15.0) - cosine(20.0)) / (cosine(15.0) - cosine(25.0));
+  const Sum both = links({floor_plane, bend});
+  CHECK(both.gap == Approx((1.0 + share) * one).epsilon(1e-3));
+  CHECK(both.contact == Approx((1.0 + share) * links({floor_plane}).contact).epsilon(1e-3));
 }
 
 TEST_CASE("heat through the gas fades with a wall's distance: it does not end at half a radius") {
