@@ -7,6 +7,7 @@
 #include <map>
 
 #include "case/extents.hpp"
+#include "case/facing.hpp"
 #include "case/parts.hpp"
 #include "case/walls.hpp"
 #include "physics/time_step.hpp"
@@ -152,6 +153,8 @@ Case read_case(Reading& reading, const Node& document) {
   if (reading.faults() == 0 && made.bed.empty()) check_time_step(reading, document, made);
   check_whole(root, made);
   if (reading.faults() == 0) check_extents(root, parts_of_rig, made);
+  made.warnings = reading.warnings;
+  if (made.models.radiation && made.bed.empty()) face_particles(parts_of_rig, made);
   if (made.models.mechanics_only) keep_mechanics(root, made);
   return made;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/facing.hpp"
 #include "case/polytope.hpp"
 #include "case/stl.hpp"
 
@@ -118,9 +119,20 @@ std::vector<Shape> read_stl_wall(Table& table) {
   const std::string file = table.file("file", "the name of an STL file");
   const double scale = table.value("scale", a_length);  // an STL file has no unit
   if (file.empty()) return {};
-  const StlFile stl = read_stl(file, scale);
+  StlFile stl = read_stl(file, scale);
   for (const std::string& problem : stl.problems) table.fault("file", problem);
   if (!stl.problems.empty()) return {};
+  const Orientation made = agree(stl.triangles);
+  if (made.turned > 0)
+    table.reading().warnings.push_back(
+        fmt::format("{}: {} of {} triangles faced another side than their neighbours and were "
+                    "turned round{}",
+                    table.path("file"), made.turned, stl.triangles.size(),
+                    made.is_closed ? "" : "; the mesh is not closed: see that it faces the bed"));
+  if (made.is_contradictory)
+    table.reading().warnings.push_back(
+        fmt::format("{}: no way of turning its triangles makes all neighbours face one side",
+                    table.path("file")));
   std::vector<Shape> facets;
   for (const Facet& facet : flat_facets(stl.triangles)) facets.emplace_back(facet);
   return facets;

@@ -59,6 +59,7 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   const Start start = read_start(case_file, sets);
   const Case& c = start.setup;
   fmt::print("{}\n", c.title);
+  for (const std::string& warning : c.warnings) fmt::print("warning      {}\n", warning);
   if (start.bed) fmt::print("bed          {}\n", start.bed->description);
   const std::size_t particles = print_species(c);
   const auto step = physics::time_step(c);

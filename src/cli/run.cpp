@@ -54,6 +54,7 @@ int begin(Start& start, const RunOptions& options, const fs::path& folder,
   const Case& c = start.setup;
   open_log(folder);
   log_info(fmt::format("{}: {}", options.case_file.string(), c.title));
+  for (const std::string& warning : c.warnings) log_info("warning  " + warning);
   RunRecord record{folder, provenance(options.command, c.text)};
   if (start.bed) {
     record.provenance["bed"] = start.bed->description;
