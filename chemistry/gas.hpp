@@ -4,6 +4,7 @@
 // oxygen [1], the rest is nitrogen.
 #pragma once
 #include "chemistry/heat_curve.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::chemistry {
 
@@ -13,6 +14,8 @@ inline constexpr double gas_prandtl = 0.70;                // [1] of both gases,
 
 HeatPoint oxygen_heat(double T);    // [J/mol], [J/mol/K] at T [K]
 HeatPoint nitrogen_heat(double T);  // likewise
+// Enthalpy of a diatomic gas counted from 0 K [J/mol], 7/2 R T: how much gas there is, as heat.
+constexpr double enthalpy_from_zero(double T) { return 3.5 * gas_constant * T; }
 // S [J/mol/K] of O2 gas at 1 bar and T [K] (NIST Shomate, 100-2000 K; continued as it stands).
 double oxygen_entropy(double T);
 

@@ -92,7 +92,9 @@ double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) 
 }
 
 double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) {
-  ensure(T > 0.0 && pressure > 0.0, "equilibrium asks for a positive temperature and pressure");
+  ensure(T > 0.0 && pressure >= 0.0, "equilibrium asks for a temperature and a pressure");
+  const double most = std::nextafter(eq.delta_limit, 0.0);
+  if (pressure == 0.0) return most;  // what ever lower pressures tend to
   const LogitEquation equation{eq, T, std::log(pressure / bar)};
   // dh lies between its limits, so x lies between the two linear solutions.
   double low = equation.linear(eq.enthalpy_maximum), high = equation.linear(eq.enthalpy_minimum);
@@ -107,7 +109,7 @@ double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) 
     }
     x = x + step > low && x + step < high ? x + step : 0.5 * (low + high);
   }
-  return std::min(equation.delta(x), std::nextafter(eq.delta_limit, 0.0));
+  return std::clamp(equation.delta(x), std::numeric_limits<double>::min(), most);
 }
 
 double reduction_heat(const RedoxEquilibrium& eq, double delta) { return bond_at(eq, delta).heat; }

@@ -23,7 +23,8 @@ double ln_pressure_temperature_slope(const RedoxEquilibrium& eq, double T, doubl
 double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta);  // [Pa]
 
 // delta [1] in equilibrium with oxygen of `pressure` [Pa] at T [K]. Newton's method on
-// x = ln(delta/(limit - delta)), in which the equation is nearly linear, inside a bracket.
+// x = ln(delta/(limit - delta)), in which the equation is nearly linear, inside a bracket. Within
+// (0, limit), also without any oxygen, where it is as close to the limit as a number can be.
 double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure);
 
 // The above where dh(delta) [J/mol O] is known already.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
@@ -17,12 +18,12 @@ double cross(const Point& o, const Point& a, const Point& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-// Area [m2] of the convex hull (Andrew's monotone chain).
-double hull_area(std::vector<Point> points) {
+// Convex hull (Andrew's monotone chain).
+Footprint hull_of(std::vector<Point> points) {
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  std::vector<Point> hull;
+  Footprint hull;
   const auto add = [&](const Point& p, std::size_t floor) {
     while (hull.size() >= floor + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0)
       hull.pop_back();
@@ -31,22 +32,8 @@ double hull_area(std::vector<Point> points) {
   for (const Point& p : points) add(p, 0);
   const std::size_t lower = hull.size() - 1;
   for (std::size_t k = points.size() - 1; k-- > 0;) add(points[k], lower);
-  double doubled = 0.0;
-  for (std::size_t k = 0; k + 1 < hull.size(); ++k)
-    doubled += hull[k].x() * hull[k + 1].y() - hull[k + 1].x() * hull[k].y();
-  return 0.5 * std::abs(doubled);
-}
-
-double footprint(const Particles& p) {
-  std::vector<Point> points;
-  const double swell = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2.0 * pi * k / corners;
-      points.push_back(p.position[i].head<2>() +
-                       swell * p.radius[i] * Point(std::cos(angle), std::sin(angle)));
-    }
-  return hull_area(std::move(points));
+  hull.pop_back();  // the first once more
+  return hull;
 }
 
 // Part [1] of a sphere's volume that lies below the height h over its centre, in radii.
@@ -56,6 +43,33 @@ double part_below(double h) {
 }
 
 }  // namespace
+
+Footprint footprint(std::span<const Vec3> places, std::span<const double> radii) {
+  std::vector<Point> points;
+  const double swell = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * pi * k / corners;
+      points.push_back(places[i].head<2>() +
+                       swell * radii[i] * Point(std::cos(angle), std::sin(angle)));
+    }
+  return points.empty() ? Footprint{} : hull_of(std::move(points));
+}
+
+double area(const Footprint& hull) {
+  double doubled = 0.0;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const Point &a = hull[k], &b = hull[(k + 1) % hull.size()];
+    doubled += a.x() * b.y() - b.x() * a.y();
+  }
+  return 0.5 * std::abs(doubled);
+}
+
+bool is_inside(const Footprint& hull, const Point& p) {
+  for (std::size_t k = 0; k < hull.size(); ++k)
+    if (cross(hull[k], hull[(k + 1) % hull.size()], p) < 0.0) return false;
+  return !hull.empty();
+}
 
 double carman_kozeny(double sauter_diameter, double porosity) {
   const double solid = 1.0 - porosity;
@@ -71,14 +85,15 @@ double slip_factor(double mean_free_path, double capillary_radius) {
   return 1.0 + 4.0 * mean_free_path / capillary_radius;
 }
 
-LayeredBed cut_in_layers(const Particles& p, std::size_t most, double part) {
+LayeredBed cut_in_layers(const Particles& p, std::size_t most, const Vec3& up, double part) {
   LayeredBed bed;
   ensure(p.size() > 0, "a bed has particles");
+  const std::vector<Vec3> places = upright(p.position, up);
   std::vector<double> tops(p.size());
-  double floor = p.position[0].z();
+  double floor = places[0].z();
   for (std::size_t i = 0; i < p.size(); ++i) {
-    tops[i] = p.position[i].z() + p.radius[i];
-    floor = std::min(floor, p.position[i].z() - p.radius[i]);
+    tops[i] = places[i].z() + p.radius[i];
+    floor = std::min(floor, places[i].z() - p.radius[i]);
   }
   const auto rank = static_cast<std::ptrdiff_t>(part * static_cast<double>(p.size() - 1));
   std::nth_element(tops.begin(), tops.begin() + rank, tops.end());
@@ -88,14 +103,14 @@ LayeredBed cut_in_layers(const Particles& p, std::size_t most, double part) {
   const double fit = std::floor(whole / largest + rounding);
   const auto count = static_cast<std::size_t>(std::clamp(fit, 1.0, static_cast<double>(most)));
   const double height = whole / static_cast<double>(count);
-  bed.layers.assign(count, {footprint(p), height, 0.0, 0.0, 0.0});
+  bed.layers.assign(count, {area(footprint(places, p.radius)), height, 0.0, 0.0, 0.0});
   bed.layer_of.resize(p.size());
   const auto last = static_cast<double>(count - 1);
   const auto layer_at = [&](double z) {
     return static_cast<std::size_t>(std::clamp(std::floor((z - floor) / height), 0.0, last));
   };
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double z = p.position[i].z(), r = p.radius[i];
+    const double z = places[i].z(), r = p.radius[i];
     const double volume = 4.0 / 3.0 * pi * r * r * r;
     bed.layer_of[i] = static_cast<std::uint32_t>(layer_at(z));
     double below = 0.0;  // [1]

@@ -36,11 +36,18 @@ struct LayeredBed {
   std::vector<std::uint32_t> layer_of;  // by particle index: that of its centre
 };
 
-// Cuts the bed from its lowest point to the height that `part` [1] of the particles stay below into
-// layers of equal height: `most` of them, or as many as are no thinner than the largest diameter,
-// since less is no porous medium; one at least. Spheres are cut where the layers are; what lies
-// higher belongs to the uppermost as a whole. A layer's hull is that of all spheres, so that walls
-// stay straight.
-LayeredBed cut_in_layers(const Particles& particles, std::size_t most, double part = 0.99);
+// Corners of the convex hull of the spheres' circles, seen along z, counter-clockwise [m].
+using Footprint = std::vector<Eigen::Vector2d>;
+Footprint footprint(std::span<const Vec3> places, std::span<const double> radii);
+double area(const Footprint& corners);                               // [m2]
+bool is_inside(const Footprint& corners, const Eigen::Vector2d& p);  // on the edge counts
+
+// Cuts the bed from its lowest point to the height, along `up`, that `part` [1] of the particles
+// stay below into layers of equal height: `most` of them, or as many as are no thinner than the
+// largest diameter, since less is no porous medium; one at least. Spheres are cut where the layers
+// are; what lies higher belongs to the uppermost as a whole. A layer's hull is that of all spheres,
+// so that walls stay straight.
+LayeredBed cut_in_layers(const Particles& particles, std::size_t most,
+                         const Vec3& up = Vec3::UnitZ(), double part = 0.99);
 
 }  // namespace pmr::physics

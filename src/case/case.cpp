@@ -1,6 +1,7 @@
 #include "case/case.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "case/parts.hpp"
 #include "case/walls.hpp"
 #include "physics/time_step.hpp"
+#include "physics/upright.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -95,6 +97,31 @@ void check_whole(Table& root, const Case& made) {
   }
 }
 
+// True where the surface lies across the z axis.
+bool is_level(const Surface& surface) {
+  const auto along_z = [](const Vec3& axis) { return std::abs(axis.z()) > 1.0 - 1e-9; };
+  if (const auto* plane = std::get_if<Plane>(&surface.shape)) return along_z(plane->normal);
+  if (const auto* facet = std::get_if<Facet>(&surface.shape)) return along_z(facet->normal);
+  const auto& turned = std::get<Revolved>(surface.shape);
+  return turned.z0 == turned.z1 && along_z(turned.axis);
+}
+
+// What is built for a bed along z alone, and what needs a bed, that is gravity.
+void check_upright(Table& root, const Case& made, bool has_rig) {
+  const auto up = physics::up_against(made.gravity);
+  const bool is_tilted = up && !physics::is_z(*up);
+  if (is_tilted && made.decomposition)
+    root.fault("decomposition", "its layers lie across z; wanted gravity along -z");
+  if (is_tilted && has_rig) root.fault("rig", "stands along z; wanted gravity along -z");
+  if (!up && made.models.bed_gas)
+    root.fault("models", "bed_gas has layers across gravity; wanted gravity");
+  if (!made.conductivity) return;
+  for (const std::uint32_t plate : {made.conductivity->hot, made.conductivity->cold})
+    if (plate < made.walls.surfaces.size() && !is_level(made.walls.surfaces[plate]))
+      root.fault("conductivity", "is measured along z: wanted a plate across z, not '" +
+                                     made.walls.surfaces[plate].name + "'");
+}
+
 // The case is checked as a whole before its thermal part goes.
 void keep_mechanics(Table& root, Case& made) {
   if (!made.fill && !made.mix) root.fault("models", "mechanics_only wants [fill] or [mix]");
@@ -155,6 +182,7 @@ Case read_case(Reading& reading, const Node& document) {
   if (reading.faults() == 0) check_extents(root, parts_of_rig, made);
   made.warnings = reading.warnings;
   if (made.models.radiation && made.bed.empty()) face_particles(parts_of_rig, made);
+  check_upright(root, made, rig.has_value());
   if (made.models.mechanics_only) keep_mechanics(root, made);
   return made;
 }

@@ -92,7 +92,7 @@ Conductivity read_conductivity(Table& law) {
 }
 
 pmr::Table read_emissivity(Table& table) {
-  const Want emissivity{Dimension::none, {0.0, 1.0, true, false}};
+  const Want emissivity{Dimension::none, {lowest_emissivity, 1.0}};
   const Node* node = table.look("emissivity");
   if (node == nullptr) return constant(nan);
   if (node->find("temperature") == nullptr) return constant(table.value("emissivity", emissivity));

@@ -3,6 +3,7 @@
 #include "chemistry/chamber.hpp"
 #include "chemistry/gas.hpp"
 #include "physics/porous_bed.hpp"
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
@@ -35,7 +36,8 @@ PoreSpace cut_pores(const Case& c, const Nodes& nodes, const State& state) {
   if (!c.models.bed_gas || p.size() == 0) return pores;
   if (state.phase != Phase::react && state.phase != Phase::done) return pores;
   const BedGasModel& model = *c.models.bed_gas;
-  const physics::LayeredBed bed = physics::cut_in_layers(p, model.layers);
+  const physics::LayeredBed bed = physics::cut_in_layers(
+      p, model.layers, physics::up_against(c.gravity).value_or(Vec3::UnitZ()));
   for (const physics::BedLayer& layer : bed.layers)
     pores.layers.push_back(layer_of_bed(layer, model.tortuosity));
   pores.layer_of.assign(nodes.particles, 0);
@@ -72,6 +74,8 @@ void fill_pores(const Case& c, const Nodes& nodes, const PoreSpace& pores, State
     state.fluxes.oxygen_closed_in += amount.oxygen;
     state.fluxes.nitrogen_closed_in += amount.nitrogen;
     state.fluxes.gas_energy_in += gas.pore_energy[k];
+    state.fluxes.gas_turnover +=
+        chemistry::total(amount) * chemistry::enthalpy_from_zero(temperature[k]);
   }
 }
 

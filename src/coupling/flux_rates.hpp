@@ -5,6 +5,10 @@
 
 namespace pmr::coupling {
 
-Fluxes flux_rates(const System& system, const Evaluation& at);
+struct FluxRates {
+  Fluxes sums;   // [W], [mol/s]
+  Breakdown by;  // likewise
+};
+FluxRates flux_rates(const System& system, const Evaluation& at);
 
 }  // namespace pmr::coupling

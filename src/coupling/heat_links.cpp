@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "chemistry/gas.hpp"
 #include "coupling/thermal_state.hpp"
 #include "physics/conduction.hpp"
 #include "physics/gap.hpp"
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/parallel.hpp"
 
@@ -167,27 +169,37 @@ void link_shells(const Context& context, const Nodes& nodes, const State& state,
 constexpr double bed_part = 0.99;  // [1] of the particles lie below the bed's top
 
 // Height that `bed_part` of the centres do not rise above [m]: a grain stuck higher is no bed.
-double top_of_bed(const Particles& p) {
-  std::vector<double> heights;
-  for (const Vec3& x : p.position) heights.push_back(x.z());
-  const auto rank = static_cast<std::ptrdiff_t>(bed_part * static_cast<double>(p.size() - 1));
+double top_of_bed(std::vector<double> heights) {
+  const auto rank = static_cast<std::ptrdiff_t>(bed_part * static_cast<double>(heights.size() - 1));
   std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
   return heights[static_cast<std::size_t>(rank)];
 }
 
-// A film of gas over the bed's top: the particles whose centres lie within one largest diameter of
-// it or above, each with its cross-section; and over the walls of the closed chamber.
+// Particles that meet the gas over the bed: those whose centres lie within one largest diameter of
+// its top or above; all, where nothing pulls them into a bed.
+std::vector<std::size_t> at_the_top(const Case& c, const Particles& p) {
+  std::vector<std::size_t> found(p.size());
+  std::iota(found.begin(), found.end(), std::size_t{0});
+  const auto up = physics::up_against(c.gravity);
+  if (!up) return found;
+  std::vector<double> heights;
+  for (const Vec3& x : p.position) heights.push_back(physics::is_z(*up) ? x.z() : x.dot(*up));
+  const double largest = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
+  const double top = top_of_bed(heights);
+  std::erase_if(found, [&](std::size_t i) { return !(heights[i] > top - largest); });
+  return found;
+}
+
+// A film of gas over the bed's top, each particle with its cross-section; and over the walls of the
+// closed chamber.
 void link_gas(const Case& c, const Nodes& nodes, const State& state, std::vector<HeatLink>& links) {
   const Particles& p = state.particles;
   if (!c.chamber || state.phase != Phase::react || p.size() == 0) return;
   const double film = c.chamber->film_coefficient;
   if (film <= 0.0) return;
-  const double largest = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
-  const double top = top_of_bed(p);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.position[i].z() > top - largest)
-      links.push_back(
-          {nodes.particle(p.id[i]), nodes.gas(), 0.0, film * pi * p.radius[i] * p.radius[i]});
+  for (const std::size_t i : at_the_top(c, p))
+    links.push_back(
+        {nodes.particle(p.id[i]), nodes.gas(), 0.0, film * pi * p.radius[i] * p.radius[i]});
   if (!state.gas.closed) return;
   for (std::size_t k = 0; k < nodes.patches.size(); ++k) {
     const Surface& surface = c.walls.surfaces[nodes.patches[k].surface];

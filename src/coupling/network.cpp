@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chemistry/chamber.hpp"
+#include "chemistry/gas.hpp"
 #include "chemistry/heat_curve.hpp"
 #include "coupling/cvode.hpp"
 #include "coupling/flux_rates.hpp"
@@ -56,7 +57,7 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
 Vec3 measures(const double* gas) {
   const double moles = std::abs(gas[0]) + std::abs(gas[1]);
   return {std::abs(gas[0]), moles,
-          std::abs(gas[2] + 3.5 * moles * gas_constant * chemistry::enthalpy_zero)};
+          std::abs(gas[2] + moles * chemistry::enthalpy_from_zero(chemistry::enthalpy_zero))};
 }
 
 // The gas of the pores follows its granules at once, and ln p of their equilibrium changes by some
@@ -81,15 +82,24 @@ void weigh(const System& system, double relative, const std::vector<double>& abs
   }
 }
 
-std::vector<double> as_vector(Fluxes fluxes) {
+// All rates one after the other, and back.
+std::vector<double> as_vector(const FluxRates& rates) {
   std::vector<double> values;
-  for_each_flux(fluxes, [&](const char*, const char*, double& flux) { values.push_back(flux); });
+  for_each_flux(rates.sums,
+                [&](const char*, const char*, const double& flux) { values.push_back(flux); });
+  for_each_part(rates.by, [&](const char*, const char*, const std::vector<double>& part) {
+    values.insert(values.end(), part.begin(), part.end());
+  });
   return values;
 }
 
-void add(std::span<const double> integral, Fluxes& fluxes) {
+void add(std::span<const double> integral, State& state) {
   std::size_t k = 0;
-  for_each_flux(fluxes, [&](const char*, const char*, double& flux) { flux += integral[k++]; });
+  for_each_flux(state.fluxes,
+                [&](const char*, const char*, double& flux) { flux += integral[k++]; });
+  for_each_part(state.breakdown, [&](const char*, const char*, std::vector<double>& part) {
+    for (double& flux : part) flux += integral[k++];
+  });
 }
 
 // The evaluation at the point that was asked for last: CVODES wants rates, quadratures and the
@@ -171,14 +181,14 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
                         double t, In now) {
       return gas_rates(system, t, now.subspan(system.gas_begin())).pressure - reached;
     };
-  problem.quadratures = as_vector({}).size();
+  problem.quadratures = as_vector({{}, empty_breakdown(system.groups)}).size();
   problem.stop = stop;
   // What passes the border: from the chamber, or from the pores into open air.
   problem.strict_from = system.closed ? system.chamber_begin() : system.gas_begin();
 
   const OdeResult result = integrate(problem, y, from, until, state.network_step);
   unpack(system, y, state);
-  add(result.quadrature, state.fluxes);
+  add(result.quadrature, state);
   // While the bed moves the mechanics keeps the masses of the charge: its course then depends on no
   // temperature, and one mixing serves many thermal cases (the change is below 1e-3).
   if (state.phase == Phase::react) renew_masses(c, state.particles);

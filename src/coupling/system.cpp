@@ -1,6 +1,7 @@
 #include "coupling/system.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "coupling/thermal_state.hpp"
 #include "pmr/base/constants.hpp"
@@ -8,6 +9,26 @@
 
 namespace pmr::coupling {
 namespace {
+
+// Between whom heat is booked; particles come with their lists.
+void list_groups(const Case& c, const Particles& p, System& system) {
+  const Nodes& nodes = *system.nodes;
+  system.groups = {c.species.size()};
+  const auto number = [](std::size_t group) { return static_cast<std::uint16_t>(group); };
+  system.group.assign(nodes.count(), 0);
+  for (std::size_t k = 0; k < nodes.patches.size(); ++k)
+    system.group[nodes.patch(k)] = number(system.groups.walls());
+  system.group[nodes.surroundings()] = number(system.groups.surroundings());
+  system.group[nodes.gas()] = number(system.groups.gas());
+  std::vector<std::size_t> count(c.species.size(), 0);
+  for (const SpeciesIndex species : p.species) ++count[species];
+  std::vector<std::uint32_t> order(c.species.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return count[a] < count[b]; });
+  system.rarity.resize(order.size());
+  for (std::uint32_t rank = 0; rank < order.size(); ++rank) system.rarity[order[rank]] = rank;
+}
 
 void list_particles(const Case& c, const State& state, System& system) {
   const Particles& p = state.particles;
@@ -25,6 +46,7 @@ void list_particles(const Case& c, const State& state, System& system) {
       system.solid[node].amount /= parts;
       system.delta[node] =
           nodes.shells > 1 ? state.shells.delta[nodes.kept(p.id[i], k)] : p.delta[i];
+      system.group[node] = p.species[i];
       system.stores[node] = 1;
       system.held_temperature[node] = p.temperature[i];  // first guess of the inversion
     }
@@ -77,6 +99,7 @@ System assemble_system(const Case& c, const Nodes& nodes, const State& state,
   system.held_temperature.assign(nodes.count(), air.temperature);
   if (c.models.radiation)
     system.held_temperature[nodes.surroundings()] = c.models.radiation->surroundings;
+  list_groups(c, state.particles, system);
   list_particles(c, state, system);
   list_profiles(c, outlook, system);
   system.pores = std::move(pores);

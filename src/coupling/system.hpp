@@ -49,6 +49,9 @@ struct System {
   std::vector<std::uint32_t> reactant_of;  // by solid node; no_reactant
   std::vector<double> delta;               // [1] by solid node, of those that do not react
   std::vector<WallProfile> profiles;
+  Groups groups;                         // that heat is booked between
+  std::vector<std::uint16_t> group;      // by node
+  std::vector<std::uint32_t> rarity;     // [1] by species: how many species have fewer particles
   std::vector<char> stores;              // by node: 1 where heat is stored, 0 for reservoirs
   std::vector<double> held_temperature;  // [K] by node, of reservoirs; of particles the first guess
   PoreSpace pores;                       // of the bed; not resolved: its gas is the chamber's

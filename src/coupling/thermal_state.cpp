@@ -35,7 +35,52 @@ void begin_shells(const Nodes& nodes, const Particles& p, Shells& shells) {
     }
 }
 
+// C T of particles [J]; zero where they have no temperature (mechanics alone).
+double heat_content(const Case& c, const Particles& p) {
+  return parallel_sum(p.size(), [&](std::size_t i) {
+    const double T = p.temperature[i];
+    return T > 0.0 ? T * chemistry::heat_capacity(solid_of(c, p, i), T, p.delta[i]) : 0.0;
+  });
+}
+
+double heat_content(const Nodes& nodes) {  // of the walls [J]
+  double sum = 0.0;
+  for (const Patch& patch : nodes.patches) {
+    const auto& column = nodes.columns[patch.surface];
+    for (const double capacity : column.capacity)
+      sum += patch.area * capacity * column.initial_temperature;
+  }
+  return sum;
+}
+
+void open_books(const Case& c, const Nodes& nodes, State& state) {
+  Opening& opening = state.opening;
+  opening.energy = stored_energy(state);
+  opening.oxygen = bound_oxygen(c, state.particles) + bound_oxygen(c, state.waiting);
+  opening.particles = state.particles.size() + state.waiting.size();
+  opening.heat_content =
+      heat_content(c, state.particles) + heat_content(c, state.waiting) + heat_content(nodes);
+  const Holdings there = holdings(c, state.particles), waiting = holdings(c, state.waiting);
+  opening.species_energy = there.energy;
+  opening.species_oxygen = there.oxygen;
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    opening.species_energy[s] += waiting.energy[s];
+    opening.species_oxygen[s] += waiting.oxygen[s];
+  }
+}
+
 }  // namespace
+
+Holdings holdings(const Case& c, const Particles& p) {
+  const std::size_t species = c.species.size();
+  auto sums = parallel_bins(p.size(), 2 * species, [&](std::size_t i, std::vector<double>& sum) {
+    sum[p.species[i]] += p.enthalpy[i];
+    if (const auto& redox = material_of(c, p, i).redox)
+      sum[species + p.species[i]] += p.iron[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]);
+  });
+  const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(species);
+  return {{sums.begin(), middle}, {middle, sums.end()}};
+}
 
 double initial_delta(const Case& c, const Species& species) {
   const Material& material = c.materials.list[species.material];
@@ -72,9 +117,8 @@ void begin_thermal_state(const Case& c, const Nodes& nodes, State& state) {
     begin_shells(nodes, state.particles, state.shells);
     begin_shells(nodes, state.waiting, state.shells);
   }
-  state.opening.energy = stored_energy(state);
-  state.opening.oxygen = bound_oxygen(c, state.particles) + bound_oxygen(c, state.waiting);
-  state.opening.particles = state.particles.size() + state.waiting.size();
+  state.breakdown = empty_breakdown({c.species.size()});
+  open_books(c, nodes, state);
 }
 
 void renew_masses(const Case& c, Particles& particles) {
@@ -125,6 +169,8 @@ void close_chamber(const Case& c, State& state) {
   state.fluxes.oxygen_closed_in += air.oxygen;
   state.fluxes.nitrogen_closed_in += air.nitrogen;
   state.fluxes.gas_energy_in += state.gas.energy;
+  state.fluxes.gas_turnover +=
+      chemistry::total(air) * chemistry::enthalpy_from_zero(c.chamber->gas_temperature);
 }
 
 Atmosphere atmosphere(const Case& c, const State& state) {

@@ -20,6 +20,13 @@ chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t
 // Mass of a particle [kg] from its iron and delta; inert particles keep theirs.
 void renew_masses(const Case& c, Particles& particles);
 
+// What the particles of each species hold.
+struct Holdings {
+  std::vector<double> energy;  // [J]
+  std::vector<double> oxygen;  // [mol O2] bound
+};
+Holdings holdings(const Case& c, const Particles& particles);
+
 double stored_energy(const State& state);  // [J] particles, waiting, walls, gas
 double bound_oxygen(const Case& c, const Particles& particles);  // [mol O2] in the solids
 // [m3] chamber less solids, and less pores where their gas is kept apart

@@ -1,10 +1,13 @@
 #include "instruments/bed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "physics/porous_bed.hpp"
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
@@ -45,21 +48,71 @@ double distance_from_axis(const Vec3& position, const Vec3& axis_point) {
   return std::hypot(position.x() - axis_point.x(), position.y() - axis_point.y());
 }
 
-Particles within(const Particles& all, const Vessel& vessel) {
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (distance_from_axis(all.position[i], vessel.floor) <= vessel.radius) inside.push_back(i);
+// Spheres that reach into a range of heights.
+Particles within(const Particles& all, double low, double high) {
   Particles bed;
-  for (const std::size_t i : inside) {
-    bed.id.push_back(all.id[i]);
-    bed.radius.push_back(all.radius[i]);
-    bed.mass.push_back(all.mass[i]);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double z = all.position[i].z(), r = all.radius[i];
+    if (z + r <= low || z - r >= high) continue;
     bed.position.push_back(all.position[i]);
+    bed.radius.push_back(all.radius[i]);
+    bed.id.push_back(all.id[i]);
   }
   return bed;
 }
 
+// True when each cell of `size` [m] that lies wholly inside the hull and the slab holds a centre.
+bool fills(const Particles& bed, const physics::Footprint& hull, const Slab& slab, double size) {
+  Eigen::AlignedBox2d box;
+  for (const auto& corner : hull) box.extend(corner);
+  const auto cells = [&](double length) {
+    return std::max(1, static_cast<int>(std::floor(length / size)));
+  };
+  const Eigen::Vector2d extent = box.sizes();
+  const std::array<int, 3> count{cells(extent.x()), cells(extent.y()), cells(slab.high - slab.low)};
+  const Vec3 low(box.min().x(), box.min().y(), slab.low);
+  const Vec3 step(extent.x() / count[0], extent.y() / count[1], (slab.high - slab.low) / count[2]);
+  const auto place = [&](int x, int y, int z) {
+    return static_cast<std::size_t>((z * count[1] + y) * count[0] + x);
+  };
+  std::vector<char> is_met(place(0, 0, count[2]), 0);
+  for (const Vec3& x : bed.position) {
+    std::array<int, 3> at{};
+    bool is_in = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      at[k] = static_cast<int>(std::floor((x[axis] - low[axis]) / step[axis]));
+      is_in = is_in && at[k] >= 0 && at[k] < count[k];
+    }
+    if (is_in) is_met[place(at[0], at[1], at[2])] = 1;
+  }
+  for (int y = 0; y < count[1]; ++y)
+    for (int x = 0; x < count[0]; ++x) {
+      bool is_inner = true;
+      for (const int dx : {0, 1})
+        for (const int dy : {0, 1})
+          is_inner = is_inner && physics::is_inside(hull, {low.x() + (x + dx) * step.x(),
+                                                           low.y() + (y + dy) * step.y()});
+      for (int z = 0; is_inner && z < count[2]; ++z)
+        if (is_met[place(x, y, z)] == 0) return false;
+    }
+  return true;
+}
+
 }  // namespace
+
+Particles upright(const Particles& bed, const Vec3& up) {
+  Particles turned = bed;
+  turned.position = physics::upright(bed.position, up);
+  return turned;
+}
+
+double lowest_point(const Particles& bed) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bed.size(); ++i)
+    lowest = std::min(lowest, bed.position[i].z() - bed.radius[i]);
+  return lowest;
+}
 
 double bed_height(const Particles& bed, const Vec3& floor) {
   if (bed.size() == 0) return 0.0;
@@ -80,15 +133,17 @@ double solid_fraction(const Particles& bed, const Slab& slab) {
   return solid / volume;
 }
 
-double solid_fraction(const Particles& bed, const Vessel& vessel) {
-  const Particles inside = within(bed, vessel);
-  if (inside.size() == 0) return nan;
-  const double diameter = 2.0 * *std::max_element(inside.radius.begin(), inside.radius.end());
-  const double height = bed_height(inside, vessel.floor);
-  const double floor = vessel.floor.z();
-  return solid_fraction(inside,
-                        Slab{floor + diameter, floor + std::min(0.9 * height, height - diameter),
-                             pi * vessel.radius * vessel.radius});
+double solid_fraction(const Particles& bed, double floor) {
+  if (bed.size() == 0) return nan;
+  const double diameter = 2.0 * *std::max_element(bed.radius.begin(), bed.radius.end());
+  const double height = bed_height(bed, Vec3(0.0, 0.0, floor));
+  Slab slab{floor + diameter, floor + std::min(0.9 * height, height - diameter), 0.0};
+  if (!(slab.high > slab.low)) return nan;
+  const Particles inside = within(bed, slab.low, slab.high);
+  const physics::Footprint hull = physics::footprint(inside.position, inside.radius);
+  if (!fills(inside, hull, slab, 2.0 * diameter)) return nan;
+  slab.area = physics::area(hull);
+  return solid_fraction(inside, slab);
 }
 
 Vessel enclosing_vessel(const Particles& bed, const Vec3& floor) {
@@ -121,9 +176,15 @@ Spread weighted_spread(const std::vector<double>& values, const std::vector<doub
 }
 
 SpeciesFigures species_figures(const Particles& particles, SpeciesIndex species) {
+  std::vector<bool> chosen(species + std::size_t{1}, false);
+  chosen[species] = true;
+  return species_figures(particles, chosen);
+}
+
+SpeciesFigures species_figures(const Particles& particles, const std::vector<bool>& chosen) {
   std::vector<double> mass, temperature, delta;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.species[i] != species) continue;
+    if (particles.species[i] >= chosen.size() || !chosen[particles.species[i]]) continue;
     mass.push_back(particles.mass[i]);
     temperature.push_back(particles.temperature[i]);
     delta.push_back(particles.delta[i]);

@@ -12,6 +12,11 @@ namespace pmr::instruments {
 // grain stuck on a wall does not lift it. 0 without particles.
 double bed_height(const Particles& bed, const Vec3& floor);
 
+// The bed with `up` as its z axis: what all figures of a bed count as vertical.
+Particles upright(const Particles& bed, const Vec3& up);
+// The height [m] of the lowest point of any sphere.
+double lowest_point(const Particles& bed);
+
 // A horizontal slab of a vertical vessel.
 struct Slab {
   double low, high;  // [m] z
@@ -21,14 +26,18 @@ struct Slab {
 // a slab without volume.
 double solid_fraction(const Particles& bed, const Slab& slab);
 
-// The slab that represents the bed: a largest diameter above the floor, up to 90 % of the height
-// and at least a diameter below the top, where the wall and the free surface loosen the packing.
-// Only spheres within `radius` [m] of the vertical axis through `floor` count as the bed.
+// Of the region that the bed fills, whatever vessel it lies in: from a largest diameter above
+// `floor` [m] up to 90 % of the height and at least a diameter below the top, where the wall and
+// the free surface loosen the packing, over the convex hull of the spheres there. NaN where they
+// do not fill that: a heap, a bed round a rod or on a slope; where there is a hole of two largest
+// diameters' size.
+double solid_fraction(const Particles& bed, double floor);
+
+// A round vertical vessel.
 struct Vessel {
   Vec3 floor;     // [m] point of the axis
   double radius;  // [m]
 };
-double solid_fraction(const Particles& bed, const Vessel& vessel);
 // The vessel that just holds all particles: the chamber's radius to within an overlap.
 Vessel enclosing_vessel(const Particles& bed, const Vec3& floor);
 
@@ -48,6 +57,8 @@ struct SpeciesFigures {
 };
 // Spreads are NaN for a species without particles.
 SpeciesFigures species_figures(const Particles& particles, SpeciesIndex species);
+// Of all the species that are chosen, by their index.
+SpeciesFigures species_figures(const Particles& particles, const std::vector<bool>& chosen);
 
 // Spread of values [any unit] with weights > 0 [any unit].
 Spread weighted_spread(const std::vector<double>& values, const std::vector<double>& weights);

@@ -74,9 +74,9 @@ Particles as_stated(const Case& setup, Particles bed) {
 }  // namespace
 
 std::optional<BedSections> decompose(const Case& setup, const Particles& bed) {
-  const auto pair = beads_and_granules(setup);
-  if (!setup.decomposition || !pair) return std::nullopt;
-  return decompose(as_stated(setup, bed), *setup.decomposition, *pair);
+  const auto sides = beads_and_granules(setup);
+  if (!setup.decomposition || !sides) return std::nullopt;
+  return decompose(as_stated(setup, bed), *setup.decomposition, *sides);
 }
 
 io::Series layer_table(const BedSections& sections, const Decomposition& tool) {
@@ -125,8 +125,10 @@ void write_instruments(const std::filesystem::path& dir, const Case& setup,
                        const io::Series& series, const Particles& bed) {
   const std::filesystem::path folder = make_folder(dir / "instruments");
   write_selection(folder / "gauge.csv", series, {"pressure"});
-  write_selection(folder / "oxygen.csv", series,
-                  {"oxygen_pressure", "oxygen_released", "oxygen_pumped"});
+  std::vector<std::string> oxygen{"oxygen_pressure", "oxygen_released"};
+  for (const Species& species : setup.species) oxygen.push_back("oxygen_released." + species.name);
+  oxygen.emplace_back("oxygen_pumped");
+  write_selection(folder / "oxygen.csv", series, oxygen);
   std::vector<std::string> probes;
   for (const Thermocouple& probe : setup.thermocouples)
     probes.push_back("thermocouple." + probe.name);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -35,11 +36,11 @@ std::size_t sector_of(const Vec3& position, const Decomposition& tool) {
   return static_cast<std::size_t>(sector < 0 ? sector + sectors : sector);
 }
 
-void add(Portion& portion, const Particles& bed, std::size_t i, SpeciesPair pair) {
-  if (bed.species[i] == pair.beads) {
+void add(Portion& portion, const Particles& bed, std::size_t i, const Sides& sides) {
+  if (sides[bed.species[i]] == Side::beads) {
     portion.bead_mass += bed.mass[i];
     ++portion.beads;
-  } else if (bed.species[i] == pair.granules) {
+  } else {
     portion.granule_mass += bed.mass[i];
     ++portion.granules;
   }
@@ -76,18 +77,16 @@ double cut_height(const Particles& bed, const std::vector<std::size_t>& order, s
 
 }  // namespace
 
-std::optional<SpeciesPair> beads_and_granules(const Case& setup) {
+std::optional<Sides> beads_and_granules(const Case& setup) {
   if (setup.species.size() < 2) return std::nullopt;
-  const auto first = [&](bool redox) {
-    const auto found =
-        std::find_if(setup.species.begin(), setup.species.end(), [&](const Species& species) {
-          return setup.materials.list.at(species.material).redox.has_value() == redox;
-        });
-    return static_cast<std::size_t>(found - setup.species.begin());
-  };
-  const std::size_t inert = first(false), active = first(true), none = setup.species.size();
-  if (inert == none || active == none) return SpeciesPair{0, 1};
-  return SpeciesPair{static_cast<SpeciesIndex>(inert), static_cast<SpeciesIndex>(active)};
+  Sides sides;
+  for (const Species& species : setup.species)
+    sides.push_back(setup.materials.list.at(species.material).redox ? Side::granules : Side::beads);
+  if (std::adjacent_find(sides.begin(), sides.end(), std::not_equal_to<>()) != sides.end())
+    return sides;
+  std::fill(sides.begin(), sides.end(), Side::granules);
+  sides.front() = Side::beads;
+  return sides;
 }
 
 double Portion::mass_ratio() const {
@@ -95,7 +94,7 @@ double Portion::mass_ratio() const {
   return bead_mass > 0.0 ? std::numeric_limits<double>::infinity() : nan;
 }
 
-BedSections decompose(const Particles& bed, const Decomposition& tool, SpeciesPair pair) {
+BedSections decompose(const Particles& bed, const Decomposition& tool, const Sides& sides) {
   ensure(tool.sectors > 0, "the decomposition tool has sectors");
   const std::vector<std::size_t> order = from_the_top(bed);
   const std::vector<std::size_t> starts = layer_starts(bed, order, tool.layer_fraction);
@@ -110,8 +109,8 @@ BedSections decompose(const Particles& bed, const Decomposition& tool, SpeciesPa
     for (std::size_t place = starts[k]; place < starts[k + 1]; ++place) {
       const std::size_t i = order[place];
       layer.mass += bed.mass[i];
-      add(layer.content, bed, i, pair);
-      add(layer.sectors[sector_of(bed.position[i], tool)], bed, i, pair);
+      add(layer.content, bed, i, sides);
+      add(layer.sectors[sector_of(bed.position[i], tool)], bed, i, sides);
     }
   }
   const Layer residuum = layers.back();

@@ -3,6 +3,7 @@
 // holds its centre.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,15 +12,13 @@
 
 namespace pmr::instruments {
 
-// Whose masses are divided: beads over granules.
-struct SpeciesPair {
-  SpeciesIndex beads;     // inert, Al2O3
-  SpeciesIndex granules;  // redox, SrFeO3
-};
+// Whose masses are divided, by species: beads (Al2O3) over granules (SrFeO3).
+enum class Side : std::uint8_t { beads, granules };
+using Sides = std::vector<Side>;
 
-// The first inert and the first redox species of the case; the first two species where that does
-// not tell them apart; none with fewer than two species.
-std::optional<SpeciesPair> beads_and_granules(const Case& setup);
+// All inert species are beads and all redox species granules; where a case has but one of these
+// kinds, its first species against all others; none with fewer than two species.
+std::optional<Sides> beads_and_granules(const Case& setup);
 
 // Contents of a layer or of one of its sections.
 struct Portion {
@@ -48,7 +47,7 @@ struct BedSections {
 
 // Cuts so that each layer holds its fraction of the bed's mass to within half a particle. The top
 // of layer 1 is the bed's height (bed.hpp), the bottom of the residuum the axis point's height.
-BedSections decompose(const Particles& bed, const Decomposition& tool, SpeciesPair pair);
+BedSections decompose(const Particles& bed, const Decomposition& tool, const Sides& sides);
 
 // Azimuth of the centre of a sector from the ramp [rad], in [0, 2 pi).
 double sector_azimuth(const Decomposition& tool, std::size_t sector);

@@ -11,7 +11,7 @@ namespace pmr::io {
 namespace {
 
 constexpr const char* format = "pmr-checkpoint";
-constexpr int version = 4;  // of the layout in docs/file-formats.md
+constexpr int version = 5;  // of the layout in docs/file-formats.md
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& dir) {
   return dir / "checkpoint.h5";

@@ -48,15 +48,22 @@ void for_each_book_field(S& state, Visitor&& visit) {
   visit("gas/pore_oxygen", "mol", pore_oxygen);
   visit("gas/pore_nitrogen", "mol", pore_nitrogen);
   visit("gas/pore_energy", "J", pore_energy);
-  auto& [opening_energy, opening_oxygen, opening_particles] = state.opening;
+  auto& [opening_energy, opening_oxygen, opening_particles, heat_content, species_energy,
+         species_oxygen] = state.opening;
   visit("opening/energy", "J", opening_energy);
   visit("opening/oxygen", "mol", opening_oxygen);
   visit("opening/particles", "1", opening_particles);
+  visit("opening/heat_content", "J", heat_content);
+  visit("opening/species_energy", "J", species_energy);
+  visit("opening/species_oxygen", "mol", species_oxygen);
   auto& [overlap_ratio, speed] = state.extremes;
   visit("extremes/overlap_ratio", "1", overlap_ratio);
   visit("extremes/speed", "m s-1", speed);
   for_each_flux(state.fluxes, [&](const char* name, const char* unit, auto& value) {
     visit("fluxes/" + std::string(name), unit, value);
+  });
+  for_each_part(state.breakdown, [&](const char* name, const char* unit, auto& values) {
+    visit("breakdown/" + std::string(name), unit, values);
   });
 }
 
@@ -65,7 +72,7 @@ template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, elastic_energy,
          network_step, particles, waiting, pair_contacts, wall_contacts, walls, shells, gas,
-         exchange, trend, fluxes, opening, extremes, lost] = state;
+         exchange, trend, fluxes, breakdown, opening, extremes, lost] = state;
   visit("time", "s", time);
   visit("phase", "1", phase);
   visit("step", "1", step);

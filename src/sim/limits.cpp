@@ -40,21 +40,44 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
                                  state.lost.front().time));
 }
 
-// Where a rate is extrapolated it matters only if it is slow.
-void check_rate_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
-  std::size_t outside = 0, count = 0;
+// How many particles of a species there are, and how many of them a test finds [1].
+template <class Test>
+std::pair<std::size_t, double> part_of(const State& state, std::size_t species, const Test& test) {
+  std::size_t found = 0, count = 0;
   for (std::size_t i = 0; i < state.particles.size(); ++i) {
-    const auto& redox = c.materials.list[c.species[state.particles.species[i]].material].redox;
-    if (!redox) continue;
-    const double T = state.particles.temperature[i];
+    if (state.particles.species[i] != species) continue;
     ++count;
-    outside += T < redox->rate_temperature_minimum || T > redox->rate_temperature_maximum ? 1 : 0;
+    found += test(i) ? 1 : 0;
   }
+  return {found, count > 0 ? static_cast<double>(found) / static_cast<double>(count) : 0.0};
+}
+
+// Where a rate is extrapolated it matters only if it is slow.
+void check_rate_fit(const Species& species, const Redox& redox, const State& state, std::size_t s,
+                    std::vector<std::string>& limits) {
+  const auto [outside, part] = part_of(state, s, [&](std::size_t i) {
+    const double T = state.particles.temperature[i];
+    return T < redox.rate_temperature_minimum || T > redox.rate_temperature_maximum;
+  });
   if (outside > 0)
     limits.push_back(
-        fmt::format("{:.0f} % of the redox particles end outside the temperatures that their rate "
+        fmt::format("{:.0f} % of the {} particles end outside the temperatures that their rate "
                     "was fitted at: extrapolated (above them particles stay near equilibrium).",
-                    100.0 * static_cast<double>(outside) / static_cast<double>(count)));
+                    100.0 * part, species.name));
+}
+
+void check_equilibrium_fit(const Species& species, const RedoxEquilibrium& fit, const State& state,
+                           std::size_t s, double pressure, std::vector<std::string>& limits) {
+  const auto [outside, part] = part_of(state, s, [&](std::size_t i) {
+    return !chemistry::is_within_fit(fit, state.particles.temperature[i], state.particles.delta[i],
+                                     pressure);
+  });
+  if (outside > 0)
+    limits.push_back(fmt::format(
+        "{:.0f} % of the {} particles end outside the range that the equilibrium was fitted in "
+        "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC): extrapolated.",
+        100.0 * part, species.name, fit.fit_delta_minimum, fit.fit_delta_maximum,
+        fit.fit_temperature_minimum - zero_celsius, fit.fit_temperature_maximum - zero_celsius));
 }
 
 // A delta that froze in above the charge's temperature is a guess; what 50 K of it do to an ideal
@@ -95,34 +118,15 @@ void check_rays(const Case& c, const State& state, std::vector<std::string>& lim
         rays.wanted, rays.sent, 100.0 * state.exchange.relative_error));
 }
 
-void check_fit(const Case& c, const State& state, std::vector<std::string>& limits) {
-  if (!c.models.reaction) return;
+void check_fits(const Case& c, const State& state, std::vector<std::string>& limits) {
   const auto gas = coupling::atmosphere(c, state);
   const double pressure = gas.oxygen_fraction * gas.pressure;
   for (std::size_t s = 0; s < c.species.size(); ++s) {
-    const Material& material = c.materials.list[c.species[s].material];
-    if (!material.redox) continue;
-    std::size_t outside = 0, count = 0;
-    for (std::size_t i = 0; i < state.particles.size(); ++i) {
-      if (state.particles.species[i] != s) continue;
-      ++count;
-      outside +=
-          chemistry::is_within_fit(material.redox->equilibrium, state.particles.temperature[i],
-                                   state.particles.delta[i], pressure)
-              ? 0
-              : 1;
-    }
-    if (outside > 0)
-      limits.push_back(fmt::format(
-          "{:.0f} % of the {} particles end outside the range that the equilibrium was fitted in "
-          "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC): extrapolated.",
-          100.0 * static_cast<double>(outside) / static_cast<double>(count), c.species[s].name,
-          material.redox->equilibrium.fit_delta_minimum,
-          material.redox->equilibrium.fit_delta_maximum,
-          material.redox->equilibrium.fit_temperature_minimum - zero_celsius,
-          material.redox->equilibrium.fit_temperature_maximum - zero_celsius));
+    const auto& redox = c.materials.list[c.species[s].material].redox;
+    if (!redox) continue;
+    check_equilibrium_fit(c.species[s], redox->equilibrium, state, s, pressure, limits);
+    check_rate_fit(c.species[s], *redox, state, s, limits);
   }
-  check_rate_fit(c, state, limits);
 }
 
 }  // namespace
@@ -130,8 +134,8 @@ void check_fit(const Case& c, const State& state, std::vector<std::string>& limi
 std::vector<std::string> limits_touched(const Case& c, const State& state) {
   std::vector<std::string> limits;
   check_mechanics(c, state, limits);
-  check_fit(c, state, limits);
   check_rays(c, state, limits);
+  if (c.models.reaction) check_fits(c, state, limits);
   if (c.models.reaction) check_initial_delta(c, state, limits);
   if (has_heat(c)) {
     const Balance balance = close_books(c, state);

@@ -1,5 +1,6 @@
 #include "sim/recorder.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "coupling/bed_gas.hpp"
@@ -7,6 +8,7 @@
 #include "instruments/bed.hpp"
 #include "instruments/thermocouple.hpp"
 #include "physics/mechanics.hpp"
+#include "sim/heat_paths.hpp"
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
 
@@ -27,7 +29,17 @@ class Row {
   std::size_t next_ = 0;
 };
 
+void put_delta(const instruments::Spread& delta, const std::string& of, Row& row) {
+  row.put("delta_mean" + of, "1", delta.mean);
+  row.put("delta_p10" + of, "1", delta.low);
+  row.put("delta_p90" + of, "1", delta.high);
+}
+
+// Each species by its name; what reacts also as a whole.
 void put_species(const Case& c, const State& state, Row& row) {
+  std::vector<bool> is_redox;
+  for (const Species& species : c.species)
+    is_redox.push_back(c.materials.list[species.material].redox.has_value());
   for (std::size_t s = 0; s < c.species.size(); ++s) {
     const auto figures =
         instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s));
@@ -36,11 +48,11 @@ void put_species(const Case& c, const State& state, Row& row) {
     row.put("temperature_std." + name, "K", figures.temperature.deviation);
     row.put("temperature_p10." + name, "K", figures.temperature.low);
     row.put("temperature_p90." + name, "K", figures.temperature.high);
-    if (!c.materials.list[c.species[s].material].redox) continue;
-    row.put("delta_mean", "1", figures.delta.mean);
-    row.put("delta_p10", "1", figures.delta.low);
-    row.put("delta_p90", "1", figures.delta.high);
+    if (is_redox[s]) put_delta(figures.delta, "." + name, row);
+    if (is_redox[s]) row.put("oxygen_released." + name, "mol", state.breakdown.released[s]);
   }
+  const auto kinds = std::count(is_redox.begin(), is_redox.end(), true);
+  if (kinds > 0) put_delta(instruments::species_figures(state.particles, is_redox).delta, "", row);
 }
 
 void put_gas(const Case& c, const State& state, double oxygen_rate, Row& row) {
@@ -97,10 +109,11 @@ void Recorder::add_row(const State& state) {
   put_gas(case_, state, rate, row);
   if (!has_heat(case_)) return;
   const Fluxes& f = state.fluxes;
-  row.put("heat_contact", "J", f.contact);
-  row.put("heat_gap", "J", f.gap);
-  row.put("heat_radiation", "J", f.radiation);
-  row.put("heat_to_walls", "J", f.to_walls);
+  const HeatPaths paths = heat_paths(case_, state);
+  row.put("heat_contact", "J", paths.contact);
+  row.put("heat_gap", "J", paths.gap);
+  row.put("heat_radiation", "J", paths.radiation);
+  row.put("heat_to_walls", "J", paths.to_walls);
   row.put("heat_reaction", "J", f.reaction);
   row.put("heat_to_outside", "J", f.to_outside);
   row.put("heat_to_surroundings", "J", f.to_surroundings);

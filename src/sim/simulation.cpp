@@ -135,7 +135,7 @@ void Simulation::move(const Interval& interval, const StopToken& stop) {
     state_.time = interval.end;
     return;
   }
-  const Holdings before = holdings(case_, state_.particles);
+  const coupling::Holdings before = coupling::holdings(case_, state_.particles);
   const std::size_t lost = state_.lost.size();
   mechanics_.advance(state_, interval.sub_steps, timings_, stop);
   if (state_.lost.size() == lost) return;

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "chemistry/redox.hpp"
 #include "coupling/bed_gas.hpp"
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
@@ -15,19 +14,16 @@
 #include "io/atomic_file.hpp"
 #include "physics/conduction.hpp"
 #include "physics/mechanics.hpp"
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "sim/conductivity.hpp"
+#include "sim/heat_paths.hpp"
 #include "sim/ledger.hpp"
 #include "sim/schedule.hpp"
-#include "sim/yield.hpp"
+#include "sim/summary_parts.hpp"
 
 namespace pmr::sim {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// JSON knows no infinity and no NaN.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 double wall_seconds(const Timings& timings) {
   double sum = 0.0;
@@ -36,13 +32,28 @@ double wall_seconds(const Timings& timings) {
   return sum;
 }
 
+// The bed along gravity: over the floor of the decomposition tool, else over its own lowest point.
+struct BedShape {
+  double height = std::nan("");          // [m]; NaN without gravity, which alone makes a bed
+  double solid_fraction = std::nan("");  // [1]
+};
+BedShape shape_of(const SummaryInput& in) {
+  const auto up = physics::up_against(in.setup.gravity);
+  if (!up || in.state.particles.size() == 0) return {up ? 0.0 : std::nan(""), std::nan("")};
+  const Particles bed = instruments::upright(in.state.particles, *up);
+  const double floor = in.setup.decomposition ? in.setup.decomposition->axis_point.z()
+                                              : instruments::lowest_point(bed);
+  return {instruments::bed_height(bed, Vec3(0.0, 0.0, floor)),
+          instruments::solid_fraction(bed, floor)};
+}
+
 Json mechanics_of(const SummaryInput& in) {
   const State& state = in.state;
-  const Vec3 floor = in.setup.decomposition ? in.setup.decomposition->axis_point : Vec3(0, 0, 0);
   Json particles = {{"total", state.opening.particles}};
   for (std::size_t s = 0; s < in.setup.species.size(); ++s)
     particles[in.setup.species[s].name] =
         instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s)).count;
+  const BedShape shape = shape_of(in);
   const double wall = wall_seconds(in.timings);
   const double particle_steps =
       static_cast<double>(state.step) * static_cast<double>(state.opening.particles);
@@ -58,10 +69,8 @@ Json mechanics_of(const SummaryInput& in) {
           {"max_speed", state.extremes.speed},
           {"kinetic_energy", physics::kinetic_energy(state.particles)},
           {"dissipated", state.fluxes.dissipated},
-          {"bed_height", instruments::bed_height(state.particles, floor)},
-          {"solid_fraction",
-           number(instruments::solid_fraction(
-               state.particles, instruments::enclosing_vessel(state.particles, floor)))},
+          {"bed_height", number(shape.height)},
+          {"solid_fraction", number(shape.solid_fraction)},
           {"coordination_number", instruments::coordination_number(state)}};
 }
 
@@ -168,34 +177,7 @@ Json thermal_of(const SummaryInput& in) {
           {"temperature_highest", highest},
           {"temperature_highest_at", highest_at},
           {"biot_max", biot},
-          {"heat_to_walls", in.state.fluxes.to_walls}};
-}
-
-Json chemistry_of(const SummaryInput& in) {
-  const Case& c = in.setup;
-  const Fluxes& f = in.state.fluxes;
-  for (std::size_t s = 0; s < c.species.size(); ++s) {
-    const Material& material = c.materials.list[c.species[s].material];
-    if (!material.redox) continue;
-    const auto figures =
-        instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
-    const double initial = coupling::initial_delta(c, c.species[s]);
-    const double limit = material.redox->equilibrium.delta_limit;
-    double charge = 0.0;  // [kg] of the species before it lost any oxygen
-    for (std::size_t i = 0; i < in.state.particles.size(); ++i)
-      if (in.state.particles.species[i] == s)
-        charge += in.state.particles.iron[i] * chemistry::molar_mass(*material.redox, initial);
-    return {{"delta_initial", initial},
-            {"delta_final", number(figures.delta.mean)},
-            {"delta_std", number(figures.delta.deviation)},
-            {"oxygen_released", f.oxygen_released},
-            {"oxygen_to_air", f.oxygen_to_air},
-            {"oxygen_pumped", f.oxygen_pumped},
-            {"oxygen_per_kilogram", number(f.oxygen_released / charge)},
-            {"extent", number((figures.delta.mean - initial) / (limit - initial))},
-            {"reaction_heat", f.reaction}};
-  }
-  return nullptr;
+          {"heat_to_walls", heat_paths(in.setup, in.state).to_walls}};
 }
 
 double sum_of(const std::vector<double>& values) {
@@ -229,7 +211,10 @@ Json books_of(const SummaryInput& in) {
                       {"alive", state.particles.size()},
                       {"waiting", state.waiting.size()},
                       {"lost", state.lost.size()}};
-  return {{"energy", energy}, {"oxygen", oxygen}, {"particles", count}};
+  return {{"energy", energy},
+          {"oxygen", oxygen},
+          {"particles", count},
+          {"species", species_books_of(in)}};
 }
 
 Json lost_of(const State& state) {
@@ -261,24 +246,8 @@ Json radiation_of(const Exchange& exchange) {
           {"row_sum_error", exchange.row_sum_error}, {"rays_given_up", exchange.unfinished}};
 }
 
-Json yield_of(const SummaryInput& in) {
-  const Yield yield = measure_yield(in.setup, in.state, in.series);
-  return {{"oxygen_per_kg", number(yield.oxygen_per_kg)},
-          {"peak_per_kg", number(yield.peak_per_kg)},
-          {"ideal_per_kg", number(yield.ideal_per_kg)},
-          {"ideal_temperature", number(yield.ideal_temperature)},
-          {"part_of_ideal", number(yield.part_of_ideal)},
-          {"reaction_over_heat", number(yield.reaction_over_heat)},
-          {"time_to_90", number(yield.time_to_90)},
-          {"mean_pressure", number(yield.mean_pressure)},
-          {"pump_work", number(yield.pump_work)},
-          {"charge_heat", number(yield.charge_heat)},
-          {"charge_heat_per_mol", number(yield.charge_heat_per_mol)}};
-}
-
 void add_heat(const SummaryInput& in, Json& summary) {
   const Balance balance = close_books(in.setup, in.state);
-  const Fluxes& f = in.state.fluxes;
   summary["thermal"] = thermal_of(in);
   if (in.setup.models.reaction) summary["chemistry"] = chemistry_of(in);
   if (in.setup.chamber) {
@@ -298,16 +267,9 @@ void add_heat(const SummaryInput& in, Json& summary) {
                          {"energy_residual", balance.energy_residual},
                          {"oxygen_residual", balance.oxygen_residual},
                          {"nitrogen_residual", balance.nitrogen_residual},
-                         {"heat_exchanged", f.heat_exchanged}};
+                         {"heat_exchanged", in.state.fluxes.heat_exchanged}};
   if (in.setup.models.radiation) summary["radiation"] = radiation_of(in.state.exchange);
-  summary["heat_paths"] = {{"contact", f.contact},
-                           {"gap", f.gap},
-                           {"radiation", f.radiation},
-                           {"to_walls", f.to_walls},
-                           {"reaction", f.reaction},
-                           {"to_outside", f.to_outside},
-                           {"to_surroundings", f.to_surroundings},
-                           {"gas", f.gas_energy_out - f.gas_energy_in}};
+  summary["heat_paths"] = heat_paths_of(in);
 }
 
 Json conductivity_of(const SummaryInput& in) {
@@ -325,6 +287,8 @@ Json conductivity_of(const SummaryInput& in) {
 }
 
 }  // namespace
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   Json summary;

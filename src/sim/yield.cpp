@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "chemistry/gas.hpp"
 #include "chemistry/redox.hpp"
@@ -13,6 +14,7 @@ namespace pmr::sim {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double lowest_pressure = 1e-7;  // [Pa] of oxygen around an ideal reactor
 
 // All of a species as one solid, as it was charged.
 struct Charge {
@@ -40,23 +42,28 @@ std::vector<Charge> charges(const Case& c, const State& state) {
 }
 
 double ideal_pressure(const ChamberCase& chamber) {
-  return chamber.pump ? chamber.pump->set_point : chamber.oxygen_fraction * chamber.pressure;
+  const double pressure =
+      chamber.pump ? chamber.pump->set_point : chamber.oxygen_fraction * chamber.pressure;
+  return std::max(pressure, lowest_pressure);
 }
 
 // What the charge holds at T beyond its start, and the oxygen that left.
 struct Held {
-  double energy, oxygen;  // [J], [mol]
+  double energy, oxygen;           // [J], [mol]
+  std::vector<double> by_species;  // [mol]
 };
 Held held_at(const std::vector<Charge>& charge, double T, double pressure) {
-  Held held{0.0, 0.0};
-  for (const Charge& one : charge) {
+  Held held{0.0, 0.0, std::vector<double>(charge.size(), 0.0)};
+  for (std::size_t s = 0; s < charge.size(); ++s) {
+    const Charge& one = charge[s];
     if (!(one.solid.amount > 0.0)) continue;
     const Redox* redox = one.redox();
     const double delta =
         redox ? chemistry::equilibrium_delta(redox->equilibrium, T, pressure) : 0.0;
     held.energy += chemistry::enthalpy(one.solid, T, delta) -
                    chemistry::enthalpy(one.solid, one.temperature, one.delta);
-    if (redox) held.oxygen += 0.5 * one.solid.amount * (delta - one.delta);
+    if (redox) held.by_species[s] = 0.5 * one.solid.amount * (delta - one.delta);
+    held.oxygen += held.by_species[s];
   }
   held.energy += held.oxygen * chemistry::oxygen_heat(T).enthalpy;
   return held;
@@ -86,6 +93,20 @@ double mean_from(const io::Series& series, const std::vector<double>& values, do
   return length > 0.0 ? sum / length : nan;
 }
 
+// The most oxygen that was off at any time.
+struct Peak {
+  double oxygen = nan;      // [mol]
+  double time_to_90 = nan;  // [s]
+
+  bool is_known() const { return std::isfinite(oxygen); }
+};
+Peak peak_of(const io::Series& series, const std::string& column) {
+  if (series.rows() == 0 || !series.has(column)) return {};
+  const std::vector<double>& released = series.values(column);
+  const double most = *std::max_element(released.begin(), released.end());
+  return {most, most > 0.0 ? time_to(series, released, 0.9 * most) : nan};
+}
+
 // The furnaces' useful heat [J]: all of the charge from the air's temperature, at its own delta.
 double charge_heat(const Case& c, const State& state) {
   const double air = std::max(c.chamber->gas_temperature, chemistry::lowest_temperature);
@@ -108,12 +129,15 @@ IdealEnd ideal_end(const Case& c, const State& state) {
     const double middle = 0.5 * (low + high);
     (held_at(charge, middle, pressure).energy > 0.0 ? high : low) = middle;
   }
-  return {0.5 * (low + high), held_at(charge, 0.5 * (low + high), pressure).oxygen};
+  const double T = 0.5 * (low + high);
+  const Held held = held_at(charge, T, pressure);
+  return {T, held.oxygen, held.by_species};
 }
 
 Yield measure_yield(const Case& c, const State& state, const io::Series& series) {
   double redox_mass = 0.0, inert_heat = 0.0;
-  for (const Charge& one : charges(c, state))
+  const std::vector<Charge> charge = charges(c, state);
+  for (const Charge& one : charge)
     if (one.redox())
       redox_mass += one.mass();
     else if (one.solid.amount > 0.0)
@@ -121,26 +145,33 @@ Yield measure_yield(const Case& c, const State& state, const io::Series& series)
   const double spent = charge_heat(c, state);
   const Particles& p = state.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (!c.materials.list[c.species[p.species[i]].material].redox) inert_heat -= p.enthalpy[i];
-  const bool has_course = series.rows() > 0 && series.has("oxygen_released");
-  const std::vector<double> none;
-  const auto& released = has_course ? series.values("oxygen_released") : none;
-  const double peak = has_course ? *std::max_element(released.begin(), released.end()) : nan;
-  IdealEnd ideal = ideal_end(c, state);
-  if (!(ideal.oxygen > 0.0)) ideal = {nan, nan};  // a cold charge would only take oxygen up
-  return {state.fluxes.oxygen_released / redox_mass,
-          peak / redox_mass,
-          ideal.oxygen / redox_mass,
-          ideal.temperature,
-          peak / ideal.oxygen,
-          state.fluxes.reaction / inert_heat,
-          has_course && peak > 0.0 ? time_to(series, released, 0.9 * peak) : nan,
-          has_course && c.chamber->pump
-              ? mean_from(series, series.values("pressure"), c.chamber->pump->start)
-              : nan,
-          state.fluxes.pump_work,
-          spent,
-          peak > 0.0 ? spent / peak : nan};
+    if (!charge[p.species[i]].redox()) inert_heat -= p.enthalpy[i];
+  const IdealEnd ideal = ideal_end(c, state);
+  const bool has_ideal = ideal.oxygen > 0.0;  // a cold charge would only take oxygen up
+  const double ideal_oxygen = has_ideal ? ideal.oxygen : nan;
+  const Peak peak = peak_of(series, "oxygen_released");
+  Yield yield{state.fluxes.oxygen_released / redox_mass,
+              peak.oxygen / redox_mass,
+              ideal_oxygen / redox_mass,
+              has_ideal ? ideal.temperature : nan,
+              peak.oxygen / ideal_oxygen,
+              state.fluxes.reaction / inert_heat,
+              peak.time_to_90,
+              peak.is_known() && c.chamber->pump
+                  ? mean_from(series, series.values("pressure"), c.chamber->pump->start)
+                  : nan,
+              state.fluxes.pump_work,
+              spent,
+              peak.oxygen > 0.0 ? spent / peak.oxygen : nan,
+              {}};
+  for (std::size_t s = 0; s < charge.size(); ++s) {
+    if (!charge[s].redox()) continue;
+    const Peak own = peak_of(series, "oxygen_released." + c.species[s].name);
+    const double mass = charge[s].mass(), best = has_ideal ? ideal.by_species[s] : nan;
+    yield.species.push_back({s, state.breakdown.released[s] / mass, own.oxygen / mass, best / mass,
+                             best > 0.0 ? own.oxygen / best : nan, own.time_to_90});
+  }
+  return yield;
 }
 
 }  // namespace pmr::sim

@@ -115,6 +115,36 @@ TEST_CASE("a choice that does not exist is one fault") {
         "x.toml:13:1: walls.floor.kind: choice 'plain' is unknown; did you mean 'plane'?");
 }
 
+TEST_CASE("what is built along z wants gravity along -z, and layers of gas want gravity") {
+  const std::string sideways =
+      replaced(small_case, "\"0 0 -9.80665 m/s2\"", "\"9.80665 0 0 m/s2\"");
+  const std::string tool =
+      "[decomposition]\naxis_point = \"0 0 0 m\"\nramp_azimuth = \"0 deg\"\nlayer_fraction = "
+      "[0.5]\nsectors = 8\n";
+  CHECK(faults_of(sideways).empty());
+  CHECK(faults_of(small_case + tool).empty());
+  const auto told = faults_of(sideways + tool);
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told[0], Contains("decomposition: its layers lie across z; wanted gravity along -z"));
+  const std::string floating = replaced(small_case, "\"0 0 -9.80665 m/s2\"", "\"none\"");
+  CHECK(faults_of(floating + tool).empty());
+  const std::string gas =
+      "[chamber]\npressure = \"1 bar\"\noxygen_fraction = 0.2\ngas_temperature = \"20 degC\"\n"
+      "film_coefficient = \"0 W/m2/K\"\nleak = \"0 mol/s/Pa\"\n[models]\nbed_gas = true\n";
+  CHECK(faults_of(small_case + gas).empty());
+  const auto layers = faults_of(floating + gas);
+  REQUIRE(layers.size() == 1);
+  CHECK_THAT(layers[0], Contains("bed_gas has layers across gravity; wanted gravity"));
+}
+
+TEST_CASE("an emissivity that would be read as another is refused") {
+  const std::string shiny = "[materials.Al2O3]\nemissivity = ";
+  CHECK(faults_of(small_case + shiny + "0.001\n").empty());
+  const auto told = faults_of(small_case + shiny + "0.0009\n");
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told[0], Contains("emissivity"));
+}
+
 TEST_CASE("heat models want the walls' thermal boundary and the gas") {
   const auto faults =
       faults_of(small_case + "[react]\nend = \"1 s\"\n[models]\nconduction = true\n");

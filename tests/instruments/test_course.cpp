@@ -63,14 +63,15 @@ class Folder {
 }  // namespace
 
 TEST_CASE("Redox tells granules from beads, whatever their order") {
-  const auto pair = instruments::beads_and_granules(two_species());
-  REQUIRE(pair);
-  CHECK((pair->beads == 1 && pair->granules == 0));
+  using enum instruments::Side;
+  using Sides = instruments::Sides;
+  CHECK(instruments::beads_and_granules(two_species()) == Sides{granules, beads});
+  Case three = two_species();  // two sizes of granules with the beads
+  three.species.push_back(three.species[0]);
+  CHECK(instruments::beads_and_granules(three) == Sides{granules, beads, granules});
   Case inert = two_species();
   inert.materials.list[0].redox.reset();
-  const auto plain = instruments::beads_and_granules(inert);
-  REQUIRE(plain);
-  CHECK((plain->beads == 0 && plain->granules == 1));
+  CHECK(instruments::beads_and_granules(inert) == Sides{beads, granules});
   inert.species.pop_back();
   CHECK_FALSE(instruments::beads_and_granules(inert));
 }

@@ -13,7 +13,7 @@ using namespace pmr::instruments;
 
 namespace {
 
-constexpr SpeciesPair pair{0, 1};
+const Sides pair{Side::beads, Side::granules};
 constexpr double radius = 0.001;  // [m]
 
 // Levels of equal mass 0.8 kg, 10 mm apart, the lowest at 5 mm: in each sector of level k (from

@@ -10,7 +10,7 @@ using namespace pmr::instruments;
 
 namespace {
 
-constexpr SpeciesPair pair{0, 1};
+const Sides pair{Side::beads, Side::granules};
 constexpr double bead = 5e-5, granule = 6e-6;  // [kg]
 
 // 16 sections of the same number of grains, species drawn with probability `share` of beads above

@@ -60,15 +60,21 @@ Exchange random_exchange(Filler& filler, std::size_t nodes) {
 
 void fill_books(Filler& filler, State& state) {
   state.gas.closed = true;
-  for (double* x :
-       {&state.gas.oxygen, &state.gas.nitrogen, &state.gas.energy, &state.opening.energy,
-        &state.opening.oxygen, &state.extremes.overlap_ratio, &state.extremes.speed})
+  for (double* x : {&state.gas.oxygen, &state.gas.nitrogen, &state.gas.energy,
+                    &state.opening.energy, &state.opening.oxygen, &state.opening.heat_content,
+                    &state.extremes.overlap_ratio, &state.extremes.speed})
     filler.set(*x);
   filler.set(state.opening.particles);
   for (auto* values : {&state.gas.pore_volume, &state.gas.pore_oxygen, &state.gas.pore_nitrogen,
                        &state.gas.pore_energy, &state.trend.ln_pore_pressure})
     filler.set(*values, 3);
   for_each_flux(state.fluxes, [&](const char*, const char*, double& x) { filler.set(x); });
+  state.breakdown = empty_breakdown({2});
+  for_each_part(state.breakdown, [&](const char*, const char*, std::vector<double>& values) {
+    for (double& x : values) filler.set(x);
+  });
+  filler.set(state.opening.species_energy, 2);
+  filler.set(state.opening.species_oxygen, 2);
 }
 
 }  // namespace

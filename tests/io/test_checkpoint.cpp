@@ -153,5 +153,5 @@ TEST_CASE("A run file in the place of a checkpoint is refused with what was want
   io::create_run(folder.path(), test::header());
   std::filesystem::copy_file(folder.path() / "run.h5", folder.path() / "checkpoint.h5");
   CHECK_THROWS_WITH(io::load_checkpoint(folder.path()),
-                    Catch::Matchers::Contains("pmr-checkpoint version 4 wanted, found pmr-run"));
+                    Catch::Matchers::Contains("pmr-checkpoint version 5 wanted, found pmr-run"));
 }

@@ -52,6 +52,21 @@ TEST_CASE("a lattice has its own porosity, but for the hull's round corners") {
   for (std::size_t i = 0; i < 216; ++i) CHECK(bed.layer_of[i] == i % 6);
 }
 
+TEST_CASE("layers lie across whatever way is up") {
+  const Particles along_z = cubic(5, 1e-3);
+  const LayeredBed wanted = cut_in_layers(along_z, 3);
+  Particles along_x = along_z;
+  for (Vec3& x : along_x.position) x = Vec3(x.z(), x.y(), -x.x());  // z is now x
+  const LayeredBed bed = cut_in_layers(along_x, 3, Vec3::UnitX());
+  REQUIRE(bed.layers.size() == wanted.layers.size());
+  CHECK(bed.layer_of == wanted.layer_of);
+  for (std::size_t k = 0; k < bed.layers.size(); ++k) {
+    CHECK(bed.layers[k].solid_volume == Approx(wanted.layers[k].solid_volume).epsilon(1e-9));
+    CHECK(bed.layers[k].height == Approx(wanted.layers[k].height).epsilon(1e-9));
+    CHECK(bed.layers[k].area == Approx(wanted.layers[k].area).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("no layer is thinner than the largest sphere, and one sphere is a bed") {
   CHECK(cut_in_layers(cubic(6, 1e-3), 100).layers.size() == 6);
   const LayeredBed bed = cut_in_layers(cubic(1, 1e-3), 12);

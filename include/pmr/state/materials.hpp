@@ -111,13 +111,16 @@ struct Redox {
   double density_delta;  // [1] delta at which the material's density is stated
 };
 
-// eps(T, delta) = table(T) + per_delta * delta, kept within (0, 1].
+// Below, rays per particle would grow without bound; no solid is so bright.
+inline constexpr double lowest_emissivity = 1e-3;  // [1]
+
+// eps(T, delta) = table(T) + per_delta * delta, kept within [lowest_emissivity, 1].
 struct Emissivity {
   Table table;             // [K] -> [1] at delta = 0
   double per_delta = 0.0;  // [1]
 
   double operator()(double T, double delta) const {
-    return std::clamp(table(T) + per_delta * delta, 1e-3, 1.0);
+    return std::clamp(table(T) + per_delta * delta, lowest_emissivity, 1.0);
   }
 };
 

@@ -56,10 +56,6 @@ struct Exchange {
 // Integrals of fluxes since the start, each integrated on its own; the ledger holds them against
 // the change of what is stored.
 struct Fluxes {
-  double contact = 0.0;             // [J] from hot to cold species by solid contacts
-  double gap = 0.0;                 // [J] likewise through gas gaps
-  double radiation = 0.0;           // [J] likewise by radiation
-  double to_walls = 0.0;            // [J] particles to wall patches, all paths
   double to_outside = 0.0;          // [J] walls to their outside and to fixed temperatures
   double to_surroundings = 0.0;     // [J] radiation that left the rig
   double reaction = 0.0;            // [J] taken up by the redox reaction, integral of dH(delta)
@@ -77,16 +73,17 @@ struct Fluxes {
   double gas_energy_in = 0.0;       // [J] enthalpy of air let in, and of the air closed in
   double lost_energy = 0.0;         // [J] held by particles that left the domain
   double lost_oxygen = 0.0;         // [mol] O2 bound in them
-  double heat_exchanged = 0.0;      // [J] sum over particles of the absolute heat received
+  double heat_exchanged = 0.0;      // [J] sum over particles, lined walls, gas of |heat received|
+  double gas_turnover = 0.0;        // [J] enthalpy from 0 K on of all gas that passed the border or
+                                    // a grain's surface, whichever way
+  double oxygen_turnover = 0.0;     // [mol] O2 of that gas
+  double nitrogen_turnover = 0.0;   // [mol] N2 of it
+  double grain_turnover = 0.0;      // [mol] O2 that left or entered grains, sum of magnitudes
   double dissipated = 0.0;          // [J] kinetic energy lost in contacts (mechanics, not heat)
 };
 
 template <class F, class Visitor>
 void for_each_flux(F& f, Visitor&& visit) {
-  visit("contact", "J", f.contact);
-  visit("gap", "J", f.gap);
-  visit("radiation", "J", f.radiation);
-  visit("to_walls", "J", f.to_walls);
   visit("to_outside", "J", f.to_outside);
   visit("to_surroundings", "J", f.to_surroundings);
   visit("reaction", "J", f.reaction);
@@ -105,7 +102,58 @@ void for_each_flux(F& f, Visitor&& visit) {
   visit("lost_energy", "J", f.lost_energy);
   visit("lost_oxygen", "mol", f.lost_oxygen);
   visit("heat_exchanged", "J", f.heat_exchanged);
+  visit("gas_turnover", "J", f.gas_turnover);
+  visit("oxygen_turnover", "mol", f.oxygen_turnover);
+  visit("nitrogen_turnover", "mol", f.nitrogen_turnover);
+  visit("grain_turnover", "mol", f.grain_turnover);
   visit("dissipated", "J", f.dissipated);
+}
+
+// Between whom heat is booked: the species in the case's order, all walls, the surroundings, the
+// gas.
+struct Groups {
+  std::size_t species;
+
+  std::size_t walls() const { return species; }
+  std::size_t surroundings() const { return species + 1; }
+  std::size_t gas() const { return species + 2; }
+  std::size_t count() const { return species + 3; }
+  std::size_t pairs() const { return count() * (count() - 1) / 2; }
+  // Place of a pair, a < b.
+  std::size_t pair(std::size_t a, std::size_t b) const {
+    return a * count() - a * (a + 1) / 2 + (b - a - 1);
+  }
+};
+
+// The same integrals by pair of groups and by species. A pair's heat counts from its first group to
+// its second; films of gas count as gaps.
+struct Breakdown {
+  std::vector<double> contact;      // [J] by pair, through solid contacts
+  std::vector<double> gap;          // [J] by pair, through gas
+  std::vector<double> radiation;    // [J] by pair
+  std::vector<double> released;     // [mol O2] by species, net
+  std::vector<double> carried;      // [J] by species, enthalpy of that oxygen
+  std::vector<double> reaction;     // [J] by species, taken up by the redox reaction
+  std::vector<double> lost_energy;  // [J] by species, held by particles that left the domain
+  std::vector<double> lost_oxygen;  // [mol O2] by species, bound in them
+};
+
+// visit(name, unit, vector).
+template <class B, class Visitor>
+void for_each_part(B& by, Visitor&& visit) {
+  visit("contact", "J", by.contact);
+  visit("gap", "J", by.gap);
+  visit("radiation", "J", by.radiation);
+  visit("released", "mol", by.released);
+  visit("carried", "J", by.carried);
+  visit("reaction", "J", by.reaction);
+  visit("lost_energy", "J", by.lost_energy);
+  visit("lost_oxygen", "mol", by.lost_oxygen);
+}
+
+inline Breakdown empty_breakdown(const Groups& groups) {
+  const std::vector<double> by_pair(groups.pairs(), 0.0), by_species(groups.species, 0.0);
+  return {by_pair, by_pair, by_pair, by_species, by_species, by_species, by_species, by_species};
 }
 
 // What changed over the last interval of the network; what the next one's coefficients expect.
@@ -128,6 +176,9 @@ struct Opening {
   double energy = 0.0;  // [J] stored in particles and walls
   double oxygen = 0.0;  // [mol] O2 bound in solids
   std::uint64_t particles = 0;
+  double heat_content = 0.0;  // [J] sum of C T over particles and walls: what rounding is of
+  std::vector<double> species_energy;  // [J] stored in the particles of each species
+  std::vector<double> species_oxygen;  // [mol] O2 bound in them
 };
 
 // Largest values so far, for the report's limits.
@@ -156,6 +207,7 @@ struct State {
   Exchange exchange;
   Trend trend;
   Fluxes fluxes;
+  Breakdown breakdown;
   Opening opening;
   Extremes extremes;
   std::vector<LostParticle> lost;
