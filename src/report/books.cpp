@@ -47,6 +47,21 @@ class Flow {
   Value::Array nodes_, links_;
 };
 
+// Who gave heat to whom: inert species to the reactive ones, or the hottest to all others.
+struct Roles {
+  std::vector<std::size_t> givers, receivers;  // species
+};
+Roles roles_of(const RunData& run) {
+  Roles roles;
+  for (std::size_t s = 0; s < run.species.size(); ++s)
+    (run.species[s].is_reactive ? roles.receivers : roles.givers).push_back(s);
+  if (!roles.givers.empty() && !roles.receivers.empty()) return roles;
+  roles = {{*run.hottest()}, {}};
+  for (std::size_t s = 0; s < run.species.size(); ++s)
+    if (s != *run.hottest()) roles.receivers.push_back(s);
+  return roles;
+}
+
 struct HeatPaths {
   double contact, gap, radiation;             // [J] beads to granules
   double walls, reaction, surroundings, gas;  // [J] out of the bed
@@ -66,8 +81,9 @@ HeatPaths heat_paths(const RunData& run) {
               path("radiation"), path("to_walls"),
               path("reaction"),  path("to_surroundings"),
               path("gas"),       0.0};
-  const SpeciesTotals& hot = run.species[*run.hottest()];
-  h.beads = std::max(hot.first_enthalpy - hot.last_enthalpy, h.exchanged());
+  for (const std::size_t s : roles_of(run).givers)
+    h.beads += run.species[s].first_enthalpy - run.species[s].last_enthalpy;
+  h.beads = std::max(h.beads, h.exchanged());
   return h;
 }
 
@@ -81,10 +97,11 @@ void link_losses(Flow& flow, const char* from, double share, const HeatPaths& h)
 // what is neither taken up by the reaction nor stored.
 Flow energy_flow(const RunData& run, const HeatPaths& h) {
   Flow flow(1e-4 * h.beads);
-  const std::size_t hot = *run.hottest(), cold = run.granules();
-  flow.node("beads", chemical(run.species[hot].name) + " gave off", hex(species_colour(hot)), 0);
-  flow.node("granules", "through the " + chemical(run.species[cold].name),
-            hex(species_colour(cold)), 1);
+  const Roles roles = roles_of(run);
+  const std::string receivers = names_of(run, roles.receivers);
+  const std::size_t hot = roles.givers.front(), cold = roles.receivers.front();
+  flow.node("beads", names_of(run, roles.givers) + " gave off", hex(species_colour(hot)), 0);
+  flow.node("granules", "through the " + receivers, hex(species_colour(cold)), 1);
   if (h.reaction < 0.0) flow.node("oxidation", "re-oxidation gave", "#009e73", 0);
   flow.node("stored", "warmer granules", hex(species_colour(cold)), 2);
   flow.node("reaction", "reaction", "#009e73", 2);
@@ -98,9 +115,7 @@ Flow energy_flow(const RunData& run, const HeatPaths& h) {
   const double direct = std::min(h.beads - h.exchanged(), h.lost());
   const double from_beads = h.lost() > 0.0 ? direct / h.lost() : 0.0;
   const double stored = h.exchanged() - h.reaction - (1.0 - from_beads) * h.lost();
-  if (stored < 0.0)
-    flow.node("cooled", chemical(run.species[cold].name) + " gave off", hex(species_colour(cold)),
-              0);
+  if (stored < 0.0) flow.node("cooled", receivers + " gave off", hex(species_colour(cold)), 0);
   flow.link("cooled", "granules", -stored, "granules' own heat", "#0072b2");
   // In the order in which they leave and arrive, so that ribbons don't cross.
   flow.link("granules", "stored", stored, "stored", "#0072b2");
@@ -112,8 +127,11 @@ Flow energy_flow(const RunData& run, const HeatPaths& h) {
 
 std::string energy_chart(const RunData& run, Charts& charts) {
   if (!run.summary.has("heat_paths")) return absent("No flow of energy: no heat transfer here.");
-  if (!run.hottest() || run.hottest() == run.granules())
-    return absent("No flow of energy: both species began at the same temperature.");
+  if (!run.hottest())
+    return absent("No flow of energy: all species began at the same temperature.");
+  const Roles roles = roles_of(run);
+  if (std::find(roles.givers.begin(), roles.givers.end(), *run.hottest()) == roles.givers.end())
+    return absent("No flow of energy: the species that react began as the hottest.");
   const HeatPaths h = heat_paths(run);
   const double hardly = 1e-4 * std::abs(run.species[*run.hottest()].first_enthalpy);  // [J]
   if (!(h.exchanged() > hardly))
@@ -155,9 +173,9 @@ std::string residual(const char* name, double value, double limit, const char* o
 
 std::string residuals(const RunData& run) {
   std::string html = residual("Energy", run.summary.number("balances/energy_relative"),
-                              energy_limit, "the heat exchanged") +
+                              energy_limit, "the heat and gas turned over") +
                      residual("Oxygen", run.summary.number("balances/oxygen_relative"),
-                              oxygen_limit, "what was released");
+                              oxygen_limit, "the oxygen turned over");
   const double lost = run.summary.number("mechanics/lost");
   if (lost == 0.0)
     html += element("p", "<b class=\"badge\">ok</b>Every particle is accounted for.",

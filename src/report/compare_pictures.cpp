@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "report/compare.hpp"
+#include "report/figures.hpp"
 #include "report/mixing_frames.hpp"
 #include "report/picture_html.hpp"
 #include "report/picture_section.hpp"
@@ -57,16 +58,39 @@ std::string by_temperature(const std::deque<Scene>& scenes, const char* title,
                "The same colours in all pictures.");
 }
 
-std::string by_delta(const std::deque<Scene>& scenes) {
+// Index of the reactive species of that name; none where the run has none.
+std::optional<std::size_t> reactive_called(const RunData& run, const std::string& name) {
+  for (const std::size_t s : run.reactive())
+    if (run.species[s].name == name) return s;
+  return std::nullopt;
+}
+
+std::string by_delta(const std::deque<Scene>& scenes, const std::string& name, bool is_only) {
   std::optional<Limits> all;
   for (const Scene& s : scenes)
-    if (s.run->reactive()) all = joined(all, delta_limits(s.last));
-  if (!all) return absent("No pictures by δ: no reaction in these cases.");
+    if (const auto index = reactive_called(*s.run, name))
+      all = joined(all, delta_limits(s.last, *index));
+  if (!all) return "";
   const Limits limits = round_limits(all->low, all->high);
   std::vector<std::string> shots;
-  for (const Scene& s : scenes) shots.push_back(shot(s, s.last, paint_delta(s.last, limits)));
+  for (const Scene& s : scenes)
+    if (const auto index = reactive_called(*s.run, name))
+      shots.push_back(shot(s, s.last, paint_delta(s.last, limits, *index)));
   return strip(shots, colour_bar(ColourMap::viridis, limits, "oxygen non-stoichiometry δ [1]"),
-               "The beds at the end, by δ", "The same colours in all pictures.");
+               "The beds at the end, by δ" + (is_only ? "" : " of " + chemical(name)),
+               "The same colours in all pictures.");
+}
+
+// A strip for each reactive species of any run.
+std::string by_delta(const std::deque<Scene>& scenes) {
+  std::vector<std::string> names;
+  for (const Scene& scene : scenes)
+    for (const std::size_t s : scene.run->reactive())
+      if (std::find(names.begin(), names.end(), scene.run->species[s].name) == names.end())
+        names.push_back(scene.run->species[s].name);
+  std::string html;
+  for (const std::string& name : names) html += by_delta(scenes, name, names.size() == 1);
+  return html.empty() ? absent("No pictures by δ: no reaction in these cases.") : html;
 }
 
 }  // namespace

@@ -193,18 +193,36 @@ std::vector<Line> heat_lines(const std::string& prefix) {
           {prefix + "heat_to_surroundings", "out of the rig", "#777777", "", ""}};
 }
 
-std::string oxygen(Course& course) {
+// Species whose delta any of the runs has followed.
+std::vector<std::string> reactive_species(const Runs& runs) {
+  std::vector<std::string> names = all_species(runs);
+  std::erase_if(names, [&](const std::string& name) {
+    return std::none_of(runs.begin(), runs.end(),
+                        [&](const RunData* run) { return run->series.has("delta_mean." + name); });
+  });
+  return names;
+}
+
+std::string oxygen(const Runs& runs, Course& course) {
   const std::string none = "no reaction in this case.";
-  std::string html =
-      course.chart("delta", "Oxygen non-stoichiometry δ", {"δ", "1"},
-                   {{"delta_mean", "δ, mean", "#0072b2", "delta_p10", "delta_p90"}}, none);
+  const auto names = reactive_species(runs);
+  std::vector<Line> delta{{"delta_mean", "δ, mean", "#0072b2", "delta_p10", "delta_p90"}};
+  std::vector<Line> released{{"oxygen_released", "released by the solids", "#d55e00", "", ""},
+                             {"oxygen_pumped", "pumped", "#0072b2", "", ""}};
+  if (names.size() > 1) delta.clear();
+  const auto all = all_species(runs);
+  for (std::size_t s = 0; s < all.size() && names.size() > 1; ++s) {
+    const std::string& name = all[s];  // columns that are not there draw nothing
+    delta.push_back({"delta_mean." + name, "δ of " + chemical(name), hex(species_colour(s)),
+                     "delta_p10." + name, "delta_p90." + name});
+    released.push_back({"oxygen_released." + name, "released by " + chemical(name),
+                        hex(species_colour(s)), "", ""});
+  }
+  std::string html = course.chart("delta", "Oxygen non-stoichiometry δ", {"δ", "1"}, delta, none);
   html += course.chart("oxygen_rate", "Oxygen given off, rate", {"rate", "mmol/s", false, 1e3},
                        {{"oxygen_rate", "O₂ from the solids", "#d55e00", "", ""}}, none);
   return html + course.chart("oxygen_sum", "Oxygen given off and pumped, sum",
-                             {"amount O₂", "mmol", false, 1e3},
-                             {{"oxygen_released", "released by the solids", "#d55e00", "", ""},
-                              {"oxygen_pumped", "pumped", "#0072b2", "", ""}},
-                             none);
+                             {"amount O₂", "mmol", false, 1e3}, released, none);
 }
 
 std::string gas_and_heat(Course& course) {
@@ -240,8 +258,8 @@ const char* toggle =
 
 std::string course_charts(const Runs& runs, Charts& charts) {
   Course course(runs, charts);
-  const std::string html = temperatures(runs, course) + oxygen(course) + gas_and_heat(course) +
-                           thermocouples(runs, course) +
+  const std::string html = temperatures(runs, course) + oxygen(runs, course) +
+                           gas_and_heat(course) + thermocouples(runs, course) +
                            course.chart("kinetic_energy", "Kinetic energy of the particles",
                                         {"kinetic energy", "J", true},
                                         {{"kinetic_energy", "all particles", "#222222", "", ""}},

@@ -54,15 +54,24 @@ void add_temperatures(Collector& c) {
 void add_chemistry(Collector& c) {
   const RunData& run = c.run();
   const auto reactive = run.reactive();
-  if (!reactive) return;
+  if (reactive.empty()) return;
   const double from = c.number("chemistry/delta_initial");
   c.add({"delta", "Mean δ at the end", Quantity::delta, c.number("chemistry/delta_final"),
          std::isfinite(from) ? "from " + with_unit(Quantity::delta, from) : ""});
   const double released = c.number("chemistry/oxygen_released");  // [mol]
-  c.add({"oxygen", "Oxygen released", Quantity::specific_amount,
-         released / run.species[*reactive].mass,
-         with_unit(Quantity::amount, released) + " O₂; per kg " +
-             chemical(run.species[*reactive].name)});
+  c.add({"oxygen", "Oxygen released", Quantity::specific_amount, released / run.reactive_mass(),
+         with_unit(Quantity::amount, released) + " O₂; per kg " + names_of(run, reactive)});
+  if (reactive.size() < 2) return;
+  for (const std::size_t s : reactive) {
+    const std::string& name = run.species[s].name;
+    const std::string path = "chemistry/species/" + name + "/";
+    c.add({"delta." + name, "Mean δ of " + chemical(name) + " at the end", Quantity::delta,
+           c.number(path + "delta_final"),
+           "from " + with_unit(Quantity::delta, c.number(path + "delta_initial"))});
+    c.add({"oxygen." + name, "Oxygen released by " + chemical(name), Quantity::specific_amount,
+           c.number(path + "oxygen_per_kilogram"),
+           with_unit(Quantity::amount, c.number(path + "oxygen_released")) + " O₂"});
+  }
 }
 
 void add_set_point(Collector& c) {
@@ -188,6 +197,12 @@ std::vector<KeyFigure> key_figures(const RunData& run) {
 bool is_worth_listing(const KeyFigure& figure, const RunData& run) {
   const bool is_limit = figure.id == "overlap" || figure.id.rfind("biot.", 0) == 0;
   return figure.verdict == Verdict::attention && !(is_limit && run.summary.has("warnings"));
+}
+
+std::string names_of(const RunData& run, const std::vector<std::size_t>& species) {
+  std::vector<std::string> names;
+  for (const std::size_t s : species) names.push_back(chemical(run.species[s].name));
+  return join(names, " and ");
 }
 
 std::string chemical(std::string_view name) {

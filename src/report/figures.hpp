@@ -19,8 +19,8 @@ struct KeyFigure {
   Verdict verdict = Verdict::plain;
 };
 
-inline constexpr double energy_limit = 1e-6;   // [1] of the heat exchanged
-inline constexpr double oxygen_limit = 1e-7;   // [1] of what was released
+inline constexpr double energy_limit = 1e-6;   // [1] of the heat and gas turned over
+inline constexpr double oxygen_limit = 1e-7;   // [1] of the oxygen turned over
 inline constexpr double overlap_limit = 0.05;  // [1] of the smaller radius
 inline constexpr double biot_limit = 0.1;      // [1] above it a sphere is no longer isothermal
 
@@ -36,5 +36,6 @@ bool is_worth_listing(const KeyFigure& figure, const RunData& run);
 
 std::string charge(const RunData& run);       // "1.00 kg Al2O3 at 1100 °C and ...", HTML
 std::string chemical(std::string_view name);  // "SrFeO₃": digits set low
+std::string names_of(const RunData& run, const std::vector<std::size_t>& species);  // "A and B"
 
 }  // namespace pmr::report

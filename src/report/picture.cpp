@@ -69,6 +69,10 @@ Image develop(const std::vector<Rgb>& samples, std::size_t width, std::size_t he
   return image;
 }
 
+bool shows_delta(const Particles& p, std::size_t i, std::optional<std::size_t> species) {
+  return p.iron[i] > 0.0 && (!species || p.species[i] == *species);
+}
+
 }  // namespace
 
 View look_at_cut(const std::optional<Case>& setup) {
@@ -139,9 +143,9 @@ Paint paint_temperature(const io::Snapshot& snapshot, Limits limits) {
   };
 }
 
-Paint paint_delta(const io::Snapshot& snapshot, Limits limits) {
-  return [&snapshot, limits](std::size_t i) {
-    if (!(snapshot.particles.iron[i] > 0.0)) return inert_grey;
+Paint paint_delta(const io::Snapshot& snapshot, Limits limits, std::optional<std::size_t> species) {
+  return [&snapshot, limits, species](std::size_t i) {
+    if (!shows_delta(snapshot.particles, i, species)) return inert_grey;
     return colour_at(ColourMap::viridis, limits.fraction(snapshot.particles.delta[i]));
   };
 }
@@ -158,10 +162,11 @@ std::optional<Limits> temperature_limits(const io::Snapshot& snapshot) {
   return Limits{*low, *high};
 }
 
-std::optional<Limits> delta_limits(const io::Snapshot& snapshot) {
+std::optional<Limits> delta_limits(const io::Snapshot& snapshot,
+                                   std::optional<std::size_t> species) {
   Limits limits{1e30, -1e30};
   for (std::size_t i = 0; i < snapshot.particles.size(); ++i) {
-    if (!(snapshot.particles.iron[i] > 0.0)) continue;
+    if (!shows_delta(snapshot.particles, i, species)) continue;
     limits.low = std::min(limits.low, snapshot.particles.delta[i]);
     limits.high = std::max(limits.high, snapshot.particles.delta[i]);
   }

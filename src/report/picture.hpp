@@ -37,11 +37,15 @@ Image draw(const io::Snapshot& snapshot, const std::optional<Case>& setup, const
 
 Paint paint_species(const io::Snapshot& snapshot);
 Paint paint_temperature(const io::Snapshot& snapshot, Limits limits);  // [K]
-Paint paint_delta(const io::Snapshot& snapshot, Limits limits);        // inert ones grey
+// Inert particles grey; of one species alone where one is named, all others grey.
+Paint paint_delta(const io::Snapshot& snapshot, Limits limits,
+                  std::optional<std::size_t> species = std::nullopt);
 
 // Smallest and largest over the particles; none without particles.
 std::optional<Limits> temperature_limits(const io::Snapshot& snapshot);
-std::optional<Limits> delta_limits(const io::Snapshot& snapshot);  // of reactive particles
+// Of the reactive particles, or of one species.
+std::optional<Limits> delta_limits(const io::Snapshot& snapshot,
+                                   std::optional<std::size_t> species = std::nullopt);
 std::optional<Limits> joined(std::optional<Limits> a, std::optional<Limits> b);  // what holds both
 
 // Lines in which the walls present at time t [s] meet the cut, in pixels of a picture.

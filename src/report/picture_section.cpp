@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/figures.hpp"
 #include "report/mixing_frames.hpp"
 #include "report/page.hpp"
 #include "report/picture_html.hpp"
@@ -26,15 +27,24 @@ std::string settled_strip(const RunData& run, const BedPictures& bed) {
                "Cut open at the plane of symmetry; walls in section.");
 }
 
+// One picture for each reactive species, since their deltas may be of different size.
 std::string delta_strip(const RunData& run, const BedPictures& bed) {
-  if (!run.reactive()) return absent("No picture by δ: no reaction in this case.");
+  const auto reactive = run.reactive();
+  if (reactive.empty()) return absent("No picture by δ: no reaction in this case.");
   const io::Snapshot last = run.snapshot(run.snapshot_times.size() - 1);
-  const auto range = delta_limits(last);
-  if (!range) return absent("No picture by δ: no reactive particles.");
-  const Limits limits = round_limits(range->low, range->high);
-  return strip({shot_html({last, run.setup, bed.view, 560, ""}, paint_delta(last, limits))},
-               colour_bar(ColourMap::viridis, limits, "oxygen non-stoichiometry δ [1]"),
-               "The bed at the end, by δ", "Inert beads are grey.");
+  std::string html;
+  for (const std::size_t s : reactive) {
+    const auto range = delta_limits(last, s);
+    if (!range) continue;
+    const Limits limits = round_limits(range->low, range->high);
+    const bool is_one = reactive.size() == 1;
+    const std::string of = is_one ? "" : " of " + chemical(run.species[s].name);
+    html += strip({shot_html({last, run.setup, bed.view, 560, ""}, paint_delta(last, limits, s))},
+                  colour_bar(ColourMap::viridis, limits, "oxygen non-stoichiometry δ [1]"),
+                  "The bed at the end, by δ" + of,
+                  is_one ? "Inert beads are grey." : "All others are grey.");
+  }
+  return html.empty() ? absent("No picture by δ: no reactive particles.") : html;
 }
 
 // One snapshot at a time: a bed of full size takes 50 MB.

@@ -1,5 +1,6 @@
 #include "report/run_data.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -72,11 +73,18 @@ RunData read_run(const fs::path& folder) {
   return run;
 }
 
-std::optional<std::size_t> RunData::reactive() const {
+std::vector<std::size_t> RunData::reactive() const {
   const bool is_on = setup ? setup->models.reaction : summary.has("chemistry");
+  std::vector<std::size_t> found;
   for (std::size_t s = 0; is_on && s < species.size(); ++s)
-    if (species[s].is_reactive) return s;
-  return std::nullopt;
+    if (species[s].is_reactive) found.push_back(s);
+  return found;
+}
+
+double RunData::reactive_mass() const {
+  double mass = 0.0;
+  for (const std::size_t s : reactive()) mass += species[s].mass;
+  return mass;
 }
 
 std::optional<std::size_t> RunData::hottest() const {
@@ -89,7 +97,10 @@ std::optional<std::size_t> RunData::hottest() const {
 }
 
 std::size_t RunData::granules() const {
-  if (const auto index = reactive()) return *index;
+  if (const auto found = reactive(); !found.empty())
+    return *std::max_element(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+      return species[a].mass < species[b].mass;
+    });
   std::size_t cold = species.empty() ? 0 : species.size() - 1;
   for (std::size_t s = 0; s < species.size(); ++s)
     if (species[s].first_temperature < species[cold].first_temperature - 0.01) cold = s;

@@ -34,11 +34,13 @@ struct RunData {
   std::vector<SpeciesTotals> species;                 // by species index
   std::vector<double> frame_times;  // [s] wanted for the frames of the mixing; empty: our choice
 
-  std::optional<std::size_t> reactive() const;  // index of the species that gives off oxygen
-  std::optional<std::size_t> hottest() const;   // index of the hottest at the start, if one is
-  std::size_t granules() const;                 // the reactive one, else the coldest, else the last
-  double end_time() const;                      // [s] of the last row; 0 without rows
-  double settled_time() const;                  // [s] first row of the react phase; NaN without
+  std::vector<std::size_t> reactive() const;   // indices of the species that give off oxygen
+  double reactive_mass() const;                // [kg] of them at the start
+  std::optional<std::size_t> hottest() const;  // index of the hottest at the start, if one is
+  // The reactive one, of several the one of most mass; else the coldest, else the last.
+  std::size_t granules() const;
+  double end_time() const;      // [s] of the last row; 0 without rows
+  double settled_time() const;  // [s] first row of the react phase; NaN without
 };
 
 RunData read_run(const std::filesystem::path& folder);  // CaseError if it is no run folder

@@ -55,15 +55,15 @@ std::string temperature_part(const RunData& run) {
 std::string oxygen_part(const RunData& run) {
   const auto reactive = run.reactive();
   const double released = run.summary.number("chemistry/oxygen_released");
-  if (!reactive || !std::isfinite(released)) return "";
+  if (reactive.empty() || !std::isfinite(released)) return "";
   const double from = run.summary.number("chemistry/delta_initial");
   const double to = run.summary.number("chemistry/delta_final");
   const std::string verb = released < 0.0 ? "took up " : "gave off ";
   return verb +
-         strong(with_unit(Quantity::specific_amount,
-                          std::abs(released) / run.species[*reactive].mass) +
+         strong(with_unit(Quantity::specific_amount, std::abs(released) / run.reactive_mass()) +
                 " O₂") +
-         " (δ from " + fixed(from, 3) + " to " + fixed(to, 3) + ")";
+         " (" + (reactive.size() > 1 ? "mean " : "") + "δ from " + fixed(from, 3) + " to " +
+         fixed(to, 3) + ")";
 }
 
 std::string mixture_part(const RunData& run) {
@@ -143,8 +143,8 @@ std::string trust(const RunData& run) {
   const double oxygen = std::abs(run.summary.number("balances/oxygen_relative"));
   std::string books;
   if (std::isfinite(energy))
-    books =
-        "the books close to " + with_unit(Quantity::residual, energy) + " of the heat exchanged";
+    books = "the books close to " + with_unit(Quantity::residual, energy) +
+            " of the heat and gas turned over";
   if (std::isfinite(energy) && std::isfinite(oxygen))
     books += " and " + with_unit(Quantity::residual, oxygen) + " of the oxygen";
   const std::string heat = carried_by(run);
