@@ -72,6 +72,7 @@ void change_run(const std::filesystem::path& dir, const std::function<void(H5Fil
   if (error) throw StorageError(run_path(dir).string() + ": cannot be copied: " + error.message());
   H5File file = H5File::modify(replacement.temporary());
   change(file);
+  write_vertices(file);
   file.close();
   replacement.commit();
   write_xdmf(dir);

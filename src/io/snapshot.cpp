@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <numeric>
 
 #include "pmr/base/errors.hpp"
 
@@ -73,6 +74,19 @@ std::vector<std::string> snapshot_groups(const H5File& file) {
   });
   for (std::string& name : names) name.insert(0, folder);
   return names;
+}
+
+std::string vertices_path(std::size_t count) { return "/vertices/" + std::to_string(count); }
+
+void write_vertices(H5File& file) {
+  for (const std::string& group : snapshot_groups(file)) {
+    const std::string path = vertices_path(file.shape(group + "/id").rows);
+    if (file.has(path)) continue;
+    std::vector<std::uint32_t> vertices(file.shape(group + "/id").rows);
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    file.write(path, std::span<const std::uint32_t>(vertices),
+               {"1", Number::uint32, Packing::deflated});
+  }
 }
 
 std::string next_snapshot_group(const std::vector<std::string>& groups) {

@@ -24,6 +24,11 @@ std::vector<std::string> snapshot_groups(const H5File& file);
 // Name of the group after the last.
 std::string next_snapshot_group(const std::vector<std::string>& groups);
 
+// 0, 1, ... count - 1: the particle that each vertex of run.xdmf stands for. ParaView's newer
+// readers draw no point that no cell names, and take cells from a dataset alone.
+std::string vertices_path(std::size_t count);
+void write_vertices(H5File& file);  // for every snapshot of the file that still lacks them
+
 std::string_view phase_name(Phase phase);
 
 }  // namespace pmr::io

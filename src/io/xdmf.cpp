@@ -53,8 +53,11 @@ std::string grid(const H5File& run, const std::string& group) {
   if (count == 0) return {};
   std::string text = "<Grid Name=\"particles\" GridType=\"Uniform\">\n<Time Value=\"" +
                      time_text(run.number_attribute(group, "time")) + "\"/>\n";
-  text += "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + std::to_string(count) +
-          "\" NodesPerElement=\"1\"/>\n";
+  const std::string cells = std::to_string(count);
+  text += "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + cells +
+          "\" NodesPerElement=\"1\"><DataItem Dimensions=\"" + cells + "\" " +
+          number_type(Number::uint32) + " Format=\"HDF\">run.h5:" + vertices_path(count) +
+          "</DataItem></Topology>\n";
   text += "<Geometry GeometryType=\"XYZ\">" + data_item(run, group, "position") + "</Geometry>\n";
   for (const char* field : shown) text += attribute(run, group, field);
   return text + "</Grid>\n";

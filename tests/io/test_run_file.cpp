@@ -173,7 +173,8 @@ TEST_CASE("Every dataset of a run and of a checkpoint bears its unit") {
   const std::vector<io::Snapshot> one{test::random_snapshot(0.0, 3)};
   io::append_run(folder.path(), test::rows(0.0, 1), one);
   io::save_checkpoint(folder.path(), test::random_state(3, 1));
-  CHECK(datasets_with_unit(folder.path() / "run.h5") == 19);  // 4 lists, 3 columns, 12 fields
+  CHECK(datasets_with_unit(folder.path() / "run.h5") ==
+        20);  // 4 lists, 3 columns, 12 fields, vertices
   CHECK(datasets_with_unit(folder.path() / "checkpoint.h5") > 60);
   const io::H5File file = io::H5File::open(folder.path() / "run.h5");
   CHECK(file.text_attribute("/snapshots/00000/velocity", "unit") == "m s-1");

@@ -77,7 +77,24 @@ TEST_CASE("Datasets that run.xdmf refers to exist with the sizes it says") {
     CHECK(run.shape(path).rows == std::stoul((*it)[1]));
     CHECK(run.shape(path).width == ((*it)[2].length() > 0 ? 3 : 1));
   }
-  CHECK(count == 2 * 8);  // position and seven attributes, two snapshots with particles
+  CHECK(count == 2 * 9);  // vertices, position and seven attributes, two snapshots with particles
+}
+
+// ParaView's Xdmf3 readers take cells from a dataset alone: without one nothing is drawn.
+TEST_CASE("Every particle is a cell of its own, which a dataset names") {
+  const test::Folder folder("xdmf_cells");
+  const std::string text = sample_text(folder.path());
+  const io::H5File run = io::H5File::open(folder.path() / "run.h5");
+  const std::regex topology(
+      R"re(<Topology TopologyType="Polyvertex" NumberOfElements="(\d+)" NodesPerElement="1"><DataItem[^>]*>run\.h5:([^<]*)</DataItem></Topology>)re");
+  std::vector<std::size_t> counts;
+  for (std::sregex_iterator it(text.begin(), text.end(), topology), end; it != end; ++it) {
+    const auto vertices = run.read<std::uint32_t>((*it)[2]);
+    REQUIRE(vertices.size() == std::stoul((*it)[1]));
+    for (std::uint32_t k = 0; k < vertices.size(); ++k) CHECK(vertices[k] == k);
+    counts.push_back(vertices.size());
+  }
+  CHECK(counts == std::vector<std::size_t>{7, 9});
 }
 
 TEST_CASE("An empty run has an empty collection") {
