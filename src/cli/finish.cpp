@@ -8,6 +8,7 @@
 #include "instruments/bed.hpp"
 #include "instruments/course.hpp"
 #include "io/run_file.hpp"
+#include "io/series.hpp"
 #include "pmr/base/constants.hpp"
 #include "report/report.hpp"
 #include "sim/ledger.hpp"
@@ -27,20 +28,40 @@ void summarise(const sim::Simulation& simulation, const RunRecord& record,
                       simulation.timings(), series, simulation.time_step(), status, provenance});
 }
 
-void print_headline(const sim::Simulation& simulation, const sim::Balance& balance) {
+// "SrFeO3   3475 particles, hottest on average 812.3 degC (+- 7.8 K) at 8.3 s; at the end ...".
+std::string heat_line(const Case& c, const Particles& particles, SpeciesIndex s,
+                      const io::Series& series) {
+  const auto figures = instruments::species_figures(particles, s);
+  const std::string& name = c.species[s].name;
+  std::string text = fmt::format("{:8} {} particles", name, figures.count);
+  if (!sim::has_heat(c)) return text;
+  if (const auto peak = io::peak_of(series, "temperature_mean." + name))
+    text += fmt::format(", hottest on average {:.1f} degC (+- {:.1f} K) at {:.4g} s",
+                        peak->value - zero_celsius,
+                        series.values("temperature_std." + name)[peak->row], peak->time);
+  return text + fmt::format("; at the end {:.1f} degC (+- {:.1f} K)",
+                            figures.temperature.mean - zero_celsius, figures.temperature.deviation);
+}
+
+void print_oxygen(const State& state, const io::Series& series) {
+  std::string most;
+  if (const auto peak = io::peak_of(series, "oxygen_released"); peak && peak->value > 0.0)
+    most = fmt::format("at most {:.4g} mol off, at {:.4g} s; ", peak->value, peak->time);
+  log_info(fmt::format("oxygen   {}{:.4g} mol at the end, {:.4g} kJ of reaction heat", most,
+                       state.fluxes.oxygen_released, 1e-3 * state.fluxes.reaction));
+}
+
+// Species that give off oxygen come first: they are what a run is about.
+void print_headline(const sim::Simulation& simulation, const sim::Balance& balance,
+                    const io::Series& series) {
+  const Case& c = simulation.setup();
   const State& state = simulation.state();
-  const auto& species = simulation.setup().species;
-  for (std::size_t s = 0; s < species.size(); ++s) {
-    const auto figures =
-        instruments::species_figures(state.particles, static_cast<SpeciesIndex>(s));
-    log_info(fmt::format("{:8} {:6} particles, {:.1f} degC (+- {:.1f} K)", species[s].name,
-                         figures.count, figures.temperature.mean - zero_celsius,
-                         figures.temperature.deviation));
-  }
-  if (simulation.setup().models.reaction)
-    log_info(fmt::format("oxygen   {:.6g} mol released, {:.4g} kJ of reaction heat",
-                         state.fluxes.oxygen_released, 1e-3 * state.fluxes.reaction));
-  if (sim::has_heat(simulation.setup()))
+  for (const bool is_redox : {true, false})
+    for (std::size_t s = 0; s < c.species.size(); ++s)
+      if (c.materials.list[c.species[s].material].redox.has_value() == is_redox)
+        log_info(heat_line(c, state.particles, static_cast<SpeciesIndex>(s), series));
+  if (c.models.reaction) print_oxygen(state, series);
+  if (sim::has_heat(c))
     log_info(fmt::format("books    energy {:.1e}, oxygen {:.1e}", balance.energy_relative,
                          balance.oxygen_relative));
   log_info(fmt::format("counts   {} particles, {} alive, {} lost, {} yet to come", balance.inserted,
@@ -66,7 +87,7 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
             series);
   instruments::write_instruments(record.folder, simulation.setup(), series,
                                  simulation.state().particles);
-  print_headline(simulation, balance);
+  print_headline(simulation, balance, series);
   if (completed) {
     report::write_report({record.folder}, record.folder / "report.html");
     log_info("report   " + (record.folder / "report.html").string());

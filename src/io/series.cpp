@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "io/atomic_file.hpp"
 #include "pmr/base/errors.hpp"
@@ -26,6 +27,16 @@ const std::vector<double>& Series::values(const std::string& name) const {
   for (const Column& column : columns)
     if (column.name == name) return column.values;
   throw CaseError({Fault{"series", name, "no such column was recorded"}});
+}
+
+std::optional<Peak> peak_of(const Series& series, const std::string& name) {
+  if (!series.has(name) || !series.has("time")) return std::nullopt;
+  const std::vector<double>& values = series.values(name);
+  std::optional<Peak> peak;
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (std::isfinite(values[row]) && (!peak || values[row] > peak->value))
+      peak = Peak{row, series.values("time")[row], values[row]};
+  return peak;
 }
 
 void write_csv(const std::filesystem::path& path, const Series& series) {

@@ -64,8 +64,8 @@ std::string figure_table(const std::vector<RunData>& runs, const Figures& figure
 }
 
 std::string against_first(const std::vector<RunData>& runs, const Figures& figures) {
-  static const std::vector<std::string> told{"granule_temperature", "delta", "oxygen",
-                                             "top_ratio",           "lacey", "settled"};
+  static const std::vector<std::string> told{
+      "granule_highest", "peak", "granule_temperature", "oxygen", "top_ratio", "lacey", "settled"};
   std::string html;
   for (std::size_t r = 1; r < runs.size(); ++r) {
     std::vector<std::string> parts;
@@ -105,7 +105,7 @@ Section compared_answer(const std::vector<RunData>& runs) {
   for (const RunData& run : runs) figures.push_back(key_figures(run));
   std::string html;
   for (const RunData& run : runs)
-    html += element("p", "<strong>" + escape(run.name) + "</strong>: " + answer(run).front(),
+    html += element("p", "<strong>" + escape(run.name) + "</strong>: " + join(answer(run), " "),
                     "class=\"answer\"");
   html += against_first(runs, figures) + figure_table(runs, figures);
   html += element("h3", "What limits trust in this") + attention(runs, figures);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/series.hpp"
 #include "report/mixture_data.hpp"
 
 namespace pmr::report {
@@ -40,35 +41,63 @@ Verdict below(double value, double limit) {
   return value <= limit ? Verdict::good : Verdict::attention;
 }
 
-void add_temperatures(Collector& c) {
+// What users ask for first: how hot the granules became, when, how alike, and the oxygen's peak.
+void add_peaks(Collector& c) {
+  const RunData& run = c.run();
+  if (run.species.empty()) return;
+  if (const auto hottest = granules_hottest(run))
+    c.add({"granule_highest",
+           "Highest mean " + chemical(run.species[run.granules()].name) + " temperature",
+           Quantity::temperature, hottest->mean,
+           "after " + with_unit(Quantity::time, hottest->time) + ", ±" +
+               with_unit(Quantity::temperature_difference, hottest->spread) + " among them"});
+  const auto peak = io::peak_of(run.series, "oxygen_released");
+  if (!run.reactive().empty() && peak && peak->value > 0.0)
+    c.add({"peak", "Most oxygen that was off at a time", Quantity::specific_amount,
+           c.number("yield/peak_per_kg"),
+           "after " + with_unit(Quantity::time, peak->time) + "; nine tenths of it after " +
+               with_unit(Quantity::time, c.number("yield/time_to_90"))});
+}
+
+void add_end_temperature(Collector& c) {
   const RunData& run = c.run();
   if (run.species.empty()) return;
   const std::string& name = run.species[run.granules()].name;
   c.add({"granule_temperature", "Mean " + chemical(name) + " temperature at the end",
          Quantity::temperature, c.number("thermal/temperature_mean/" + name),
          c.band("temperature_p10." + name, "temperature_p90." + name, Quantity::temperature)});
-  c.add({"granule_spread", "Spread of it (standard deviation)", Quantity::temperature_difference,
-         c.number("thermal/temperature_std/" + name), "over all " + chemical(name) + " particles"});
 }
 
-void add_chemistry(Collector& c) {
+void add_end_oxygen(Collector& c) {
   const RunData& run = c.run();
+  const auto reactive = run.reactive();
+  if (reactive.empty()) return;
+  const double released = c.number("chemistry/oxygen_released");  // [mol]
+  c.add({"oxygen", "Oxygen off at the end", Quantity::specific_amount,
+         released / run.reactive_mass(),
+         with_unit(Quantity::amount, released) + " O₂; per kg " + names_of(run, reactive)});
+}
+
+void add_end_details(Collector& c) {
+  const RunData& run = c.run();
+  if (run.species.empty()) return;
+  const std::string& name = run.species[run.granules()].name;
+  c.add({"granule_spread", "Spread of it at the end (standard deviation)",
+         Quantity::temperature_difference, c.number("thermal/temperature_std/" + name),
+         "over all " + chemical(name) + " particles"});
   const auto reactive = run.reactive();
   if (reactive.empty()) return;
   const double from = c.number("chemistry/delta_initial");
   c.add({"delta", "Mean δ at the end", Quantity::delta, c.number("chemistry/delta_final"),
          std::isfinite(from) ? "from " + with_unit(Quantity::delta, from) : ""});
-  const double released = c.number("chemistry/oxygen_released");  // [mol]
-  c.add({"oxygen", "Oxygen released", Quantity::specific_amount, released / run.reactive_mass(),
-         with_unit(Quantity::amount, released) + " O₂; per kg " + names_of(run, reactive)});
   if (reactive.size() < 2) return;
   for (const std::size_t s : reactive) {
-    const std::string& name = run.species[s].name;
-    const std::string path = "chemistry/species/" + name + "/";
-    c.add({"delta." + name, "Mean δ of " + chemical(name) + " at the end", Quantity::delta,
+    const std::string& one = run.species[s].name;
+    const std::string path = "chemistry/species/" + one + "/";
+    c.add({"delta." + one, "Mean δ of " + chemical(one) + " at the end", Quantity::delta,
            c.number(path + "delta_final"),
            "from " + with_unit(Quantity::delta, c.number(path + "delta_initial"))});
-    c.add({"oxygen." + name, "Oxygen released by " + chemical(name), Quantity::specific_amount,
+    c.add({"oxygen." + one, "Oxygen released by " + chemical(one), Quantity::specific_amount,
            c.number(path + "oxygen_per_kilogram"),
            with_unit(Quantity::amount, c.number(path + "oxygen_released")) + " O₂"});
   }
@@ -156,10 +185,7 @@ void add_reaction(Collector& c) {
 }
 
 void add_yield(Collector& c) {
-  c.add({"peak", "Most oxygen that was off at a time", Quantity::specific_amount,
-         c.number("yield/peak_per_kg"),
-         "nine tenths of it after " + with_unit(Quantity::time, c.number("yield/time_to_90"))});
-  c.add({"part_of_ideal", "That over an ideal reactor's", Quantity::share,
+  c.add({"part_of_ideal", "The oxygen's peak over an ideal reactor's", Quantity::share,
          c.number("yield/part_of_ideal"),
          "the charge in one adiabatic piece at the set-point: " +
              with_unit(Quantity::specific_amount, c.number("yield/ideal_per_kg")) + " at " +
@@ -178,12 +204,27 @@ void drop_repeated_temperature(std::vector<KeyFigure>& figures, const std::strin
 
 }  // namespace
 
+std::optional<HottestMoment> granules_hottest(const RunData& run) {
+  constexpr double noticed = 0.05;  // [K] what is shown
+  if (run.species.empty() || !run.summary.has("thermal")) return std::nullopt;
+  const std::string& name = run.species[run.granules()].name;
+  const auto peak = io::peak_of(run.series, "temperature_mean." + name);
+  if (!peak) return std::nullopt;
+  const std::string deviation = "temperature_std." + name;
+  const double spread =
+      run.series.has(deviation) ? run.series.values(deviation)[peak->row] : std::nan("");
+  const double first = run.series.values("temperature_mean." + name).front();
+  return HottestMoment{peak->time, peak->value, spread, peak->value > first + noticed};
+}
+
 std::vector<KeyFigure> key_figures(const RunData& run) {
   Collector c(run);
-  add_temperatures(c);
-  add_chemistry(c);
+  add_peaks(c);
+  add_end_temperature(c);
+  add_end_oxygen(c);
   add_set_point(c);
   add_books(c);
+  add_end_details(c);
   add_mixture(c);
   add_mechanics(c);
   add_heat(c);

@@ -1,5 +1,6 @@
 // The figures a run is judged by, each with its verdict, and the sentences made from them.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,14 @@ inline constexpr double biot_limit = 0.1;      // [1] above it a sphere is no lo
 // Every figure the run can give, the most wanted first: the first six head the page.
 std::vector<KeyFigure> key_figures(const RunData& run);
 
-// Three sentences: what was done, what came of it, whether to believe it. HTML.
+// When the granules were hottest on average; in runs with heat alone.
+struct HottestMoment {
+  double time, mean, spread;  // [s], [K], [K] standard deviation, NaN where not recorded
+  bool is_rise;               // they had been cooler before
+};
+std::optional<HottestMoment> granules_hottest(const RunData& run);
+
+// Sentences: what came of it, what was done, whether to believe it. HTML; none without particles.
 std::vector<std::string> answer(const RunData& run);
 
 // Whether a figure that wants attention is to be listed: limits of the models are told by the

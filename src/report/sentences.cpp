@@ -1,7 +1,8 @@
-// The three sentences at the head of the page, made from the run's numbers.
+// The sentences at the head of the page, made from the run's numbers: first what users ask for.
 #include <algorithm>
 #include <cmath>
 
+#include "io/series.hpp"
 #include "report/figures.hpp"
 #include "report/mixture_data.hpp"
 
@@ -25,16 +26,47 @@ std::string rest_sentence(const RunData& run) {
 }
 
 std::string what_was_done(const RunData& run) {
+  const bool is_mixing =
+      std::isfinite(run.summary.number("mechanics/lost")) || std::isfinite(run.settled_time());
+  return charge(run) + (is_mixing ? " were mixed" + rest_sentence(run) : " were simulated") + ".";
+}
+
+std::string broken_off(const RunData& run) {
   const std::string status = run.summary.text("status");
-  std::string text = charge(run);
-  text += std::isfinite(run.summary.number("mechanics/lost")) || std::isfinite(run.settled_time())
-              ? " were mixed" + rest_sentence(run)
-              : " were simulated";
-  if (status == "failed" || status == "stopped")
-    text += " &mdash; " +
-            strong("this run " + std::string(status == "failed" ? "failed" : "was stopped") +
-                   " before its end");
-  return text + ".";
+  if (status != "failed" && status != "stopped") return "";
+  return strong("This run " + std::string(status == "failed" ? "failed" : "was stopped") +
+                " before its end.");
+}
+
+std::string granules(const RunData& run) {
+  return "the " + escaped(run.species[run.granules()].name) + " granules";
+}
+
+// "the granules were hottest after 8.3 s: 812.3 °C on average (+112.3 K), alike within ±7.8 K".
+std::string hottest_part(const RunData& run) {
+  const auto hottest = granules_hottest(run);
+  if (!hottest) return "";
+  const std::string mean = strong(with_unit(Quantity::temperature, hottest->mean));
+  if (!hottest->is_rise)
+    return granules(run) + " were never warmer on average than at the start, " + mean;
+  std::string text = granules(run) + " were hottest after " +
+                     with_unit(Quantity::time, hottest->time) + ": " + mean + " on average";
+  const double rise = hottest->mean - run.species[run.granules()].first_temperature;
+  text += " (" + difference(Quantity::temperature_difference, rise) + ")";
+  if (std::isfinite(hottest->spread))
+    text += ", alike within ±" + with_unit(Quantity::temperature_difference, hottest->spread);
+  return text;
+}
+
+std::string oxygen(const RunData& run, double amount) {  // amount [mol]
+  return with_unit(Quantity::specific_amount, amount / run.reactive_mass()) + " O₂";
+}
+
+std::string oxygen_peak_part(const RunData& run) {
+  const auto peak = io::peak_of(run.series, "oxygen_released");
+  if (run.reactive().empty() || !peak || !(peak->value > 0.0)) return "";
+  return "the most oxygen was off after " + with_unit(Quantity::time, peak->time) + ": " +
+         strong(oxygen(run, peak->value));
 }
 
 std::string temperature_part(const RunData& run) {
@@ -42,8 +74,7 @@ std::string temperature_part(const RunData& run) {
   const double mean = run.summary.number("thermal/temperature_mean/" + name);
   if (!std::isfinite(mean)) return "";
   const double change = mean - run.species[run.granules()].first_temperature;
-  std::string text = "the " + escaped(name) + " granules ended at " +
-                     strong(with_unit(Quantity::temperature, mean));
+  std::string text = granules(run) + " were at " + strong(with_unit(Quantity::temperature, mean));
   if (std::abs(change) > 0.05)
     text += " (" + difference(Quantity::temperature_difference, change) + ")";
   const double spread = run.summary.number("thermal/temperature_std/" + name);
@@ -53,17 +84,15 @@ std::string temperature_part(const RunData& run) {
 }
 
 std::string oxygen_part(const RunData& run) {
-  const auto reactive = run.reactive();
   const double released = run.summary.number("chemistry/oxygen_released");
+  const auto reactive = run.reactive();
   if (reactive.empty() || !std::isfinite(released)) return "";
   const double from = run.summary.number("chemistry/delta_initial");
   const double to = run.summary.number("chemistry/delta_final");
-  const std::string verb = released < 0.0 ? "took up " : "gave off ";
-  return verb +
-         strong(with_unit(Quantity::specific_amount, std::abs(released) / run.reactive_mass()) +
-                " O₂") +
-         " (" + (reactive.size() > 1 ? "mean " : "") + "δ from " + fixed(from, 3) + " to " +
-         fixed(to, 3) + ")";
+  return (released < 0.0 ? "had taken up " : "had given off ") +
+         strong(oxygen(run, std::abs(released))) + " (" + (reactive.size() > 1 ? "mean " : "") +
+         "δ from " + with_unit(Quantity::delta, from) + " to " + with_unit(Quantity::delta, to) +
+         ")";
 }
 
 std::string mixture_part(const RunData& run) {
@@ -74,9 +103,13 @@ std::string mixture_part(const RunData& run) {
          " in the lowest";
 }
 
-std::string sentence(std::vector<std::string> parts) {
+std::string join_parts(std::vector<std::string> parts) {
   std::erase(parts, "");
-  std::string text = join(parts, " and ");
+  return join(parts, " and ");
+}
+
+std::string sentence(std::vector<std::string> parts) {
+  std::string text = join_parts(std::move(parts));
   if (text.empty()) return "";
   if (text.front() >= 'a' && text.front() <= 'z')
     text.front() = static_cast<char>(text.front() - 'a' + 'A');
@@ -106,17 +139,19 @@ std::string conductivity_part(const RunData& run) {
          " times what the correlation of Zehner, Bauer and Schl\u00fcnder has";
 }
 
+// What it is about: the bed's conductivity, heat and oxygen, or the mixture alone.
 std::string outcome(const RunData& run) {
-  if (run.species.empty()) return "";
   if (const std::string conductivity = conductivity_part(run); !conductivity.empty())
     return sentence({conductivity});
-  const std::string heat = temperature_part(run);
-  const std::string oxygen = oxygen_part(run);
-  if (heat.empty() && oxygen.empty()) return sentence({mixture_part(run)});
-  std::string text = sentence({heat, oxygen});
-  const double hours = run.end_time();
-  text.insert(text.size() - 1, " after " + with_unit(Quantity::time, hours));
-  return text;
+  if (!run.summary.has("thermal")) return sentence({mixture_part(run)});
+  return sentence({hottest_part(run), oxygen_peak_part(run)});
+}
+
+std::string at_the_end(const RunData& run) {
+  if (run.summary.has("effective_conductivity")) return "";
+  const std::string end = join_parts({temperature_part(run), oxygen_part(run)});
+  if (end.empty()) return "";
+  return "At the end, after " + with_unit(Quantity::time, run.end_time()) + ", " + end + ".";
 }
 
 std::string carried_by(const RunData& run) {
@@ -167,14 +202,18 @@ std::string charge(const RunData& run) {
     std::string text = strong(with_unit(Quantity::mass, s.mass) + " " + escaped(s.name));
     text += " (" + with_unit(Quantity::count, static_cast<double>(s.count)) + " spheres)";
     if (s.first_temperature > 0.0)
-      text += " at " + fixed(s.first_temperature - 273.15, 0) + "\u202f°C";
+      text += " at " + with_unit(Quantity::temperature, s.first_temperature);
     parts.push_back(text);
   }
   return join(parts, " and ");
 }
 
 std::vector<std::string> answer(const RunData& run) {
-  std::vector<std::string> sentences{what_was_done(run), outcome(run), trust(run)};
+  if (run.species.empty()) return {};
+  std::string first = broken_off(run);
+  for (const std::string& part : {outcome(run), at_the_end(run)})
+    if (!part.empty()) first += (first.empty() ? "" : " ") + part;
+  std::vector<std::string> sentences{first, what_was_done(run), trust(run)};
   std::erase(sentences, "");
   return sentences;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "pmr/base/constants.hpp"
 
@@ -21,8 +22,17 @@ std::string print(const char* format, int digits, double value) {
   return text;
 }
 
-Shown prefixed(double value, int digits, const char* unit) {
+// As it reads once it has been cut to so many digits, so that 999.96 counts as 1000 where prefix,
+// unit or form is chosen.
+double rounded(double value, int digits) {
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.*e", digits - 1, value);
+  return std::strtod(buffer.data(), nullptr);
+}
+
+Shown prefixed(double exact, int digits, const char* unit) {
   static constexpr std::array<const char*, 9> prefixes{"p", "n", "µ", "m", "", "k", "M", "G", "T"};
+  const double value = rounded(exact, digits);
   if (value == 0.0) return {"0", unit};
   const double power = std::floor(std::log10(std::abs(value)) / 3.0 + 1e-9);
   const int step = static_cast<int>(std::clamp(power, -4.0, 4.0));
@@ -32,9 +42,10 @@ Shown prefixed(double value, int digits, const char* unit) {
 }
 
 // "3.1·10⁻⁹"
-std::string scientific(double value) {
+std::string scientific(double exact) {
   static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const double value = rounded(exact, 2);
   if (value == 0.0) return "0";
   const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
   const std::string digits = print("%.*f", 1, value / std::pow(10.0, power));
@@ -51,7 +62,8 @@ std::string per_cent(double share) {
 }
 
 Shown shown_pressure(double pascal) {
-  if (std::abs(pascal) >= 1.0 && std::abs(pascal) < 1e4) return {significant(pascal, 4), "Pa"};
+  const double size = std::abs(rounded(pascal, 4));
+  if (size >= 1.0 && size < 1e4) return {significant(pascal, 4), "Pa"};
   return prefixed(pascal, 4, "Pa");
 }
 
@@ -63,9 +75,9 @@ std::string without_trailing_zeros(std::string number) {
 }
 
 Shown shown_time(double seconds) {
-  if (std::abs(seconds) >= 600.0)
-    return {without_trailing_zeros(significant(seconds / 60.0, 3)), "min"};
-  if (std::abs(seconds) >= 100.0) return {fixed(seconds, 0), "s"};
+  const double size = std::abs(rounded(seconds, 3));
+  if (size >= 600.0) return {without_trailing_zeros(significant(seconds / 60.0, 3)), "min"};
+  if (size >= 100.0) return {fixed(seconds, 0), "s"};
   return {without_trailing_zeros(significant(seconds, 3)), "s"};
 }
 
@@ -73,7 +85,8 @@ Shown shown_time(double seconds) {
 
 std::string fixed(double value, int decimals) { return print("%.*f", decimals, value); }
 
-std::string significant(double value, int digits) {
+std::string significant(double exact, int digits) {
+  const double value = rounded(exact, digits);
   if (value == 0.0) return "0";
   const double size = std::abs(value);
   if (size >= 1e6 || size < 1e-4) return print("%.*e", digits - 1, value);
@@ -99,7 +112,7 @@ Shown show(Quantity quantity, double value) {
     case Quantity::temperature:
       return {fixed(value - zero_celsius, 1), "°C"};
     case Quantity::temperature_difference:
-      return {fixed(value, std::abs(value) < 1 ? 2 : 1), "K"};
+      return {fixed(value, std::abs(rounded(value, 2)) < 1 ? 2 : 1), "K"};
     case Quantity::delta:
       return {fixed(value, 4), ""};
     case Quantity::ratio:

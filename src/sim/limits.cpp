@@ -18,6 +18,18 @@ namespace pmr::sim {
 namespace {
 
 constexpr double largest_overlap = 0.05;  // [1] of the radius; common limit of soft spheres
+// Fewer than one particle in a thousand outside a fit moves no figure of a run: not told.
+constexpr double worth_telling = 1e-3;  // [1] of the particles
+
+// "3.1 %": never 0 % of something that is there.
+std::string per_cent(std::size_t part, std::size_t all) {
+  const double share = static_cast<double>(part) / static_cast<double>(all);
+  return fmt::format("{:.{}f} %", 100.0 * share, share < 0.0995 ? 1 : 0);
+}
+
+bool is_worth_telling(std::size_t part, std::size_t all) {
+  return static_cast<double>(part) >= worth_telling * static_cast<double>(all) && part > 0;
+}
 
 void check_mechanics(const Case& c, const State& state, std::vector<std::string>& limits) {
   if (state.extremes.overlap_ratio > largest_overlap)
@@ -42,41 +54,42 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
 
 // How many particles of a species there are, and how many of them a test finds [1].
 template <class Test>
-std::pair<std::size_t, double> part_of(const State& state, std::size_t species, const Test& test) {
+std::pair<std::size_t, std::size_t> part_of(const State& state, std::size_t species,
+                                            const Test& test) {
   std::size_t found = 0, count = 0;
   for (std::size_t i = 0; i < state.particles.size(); ++i) {
     if (state.particles.species[i] != species) continue;
     ++count;
     found += test(i) ? 1 : 0;
   }
-  return {found, count > 0 ? static_cast<double>(found) / static_cast<double>(count) : 0.0};
+  return {found, count};
 }
 
 // Where a rate is extrapolated it matters only if it is slow.
 void check_rate_fit(const Species& species, const Redox& redox, const State& state, std::size_t s,
                     std::vector<std::string>& limits) {
-  const auto [outside, part] = part_of(state, s, [&](std::size_t i) {
+  const auto [outside, count] = part_of(state, s, [&](std::size_t i) {
     const double T = state.particles.temperature[i];
     return T < redox.rate_temperature_minimum || T > redox.rate_temperature_maximum;
   });
-  if (outside > 0)
+  if (is_worth_telling(outside, count))
     limits.push_back(
-        fmt::format("{:.0f} % of the {} particles end outside the temperatures that their rate "
+        fmt::format("{} of the {} particles end outside the temperatures that their rate "
                     "was fitted at: extrapolated (above them particles stay near equilibrium).",
-                    100.0 * part, species.name));
+                    per_cent(outside, count), species.name));
 }
 
 void check_equilibrium_fit(const Species& species, const RedoxEquilibrium& fit, const State& state,
                            std::size_t s, double pressure, std::vector<std::string>& limits) {
-  const auto [outside, part] = part_of(state, s, [&](std::size_t i) {
+  const auto [outside, count] = part_of(state, s, [&](std::size_t i) {
     return !chemistry::is_within_fit(fit, state.particles.temperature[i], state.particles.delta[i],
                                      pressure);
   });
-  if (outside > 0)
+  if (is_worth_telling(outside, count))
     limits.push_back(fmt::format(
-        "{:.0f} % of the {} particles end outside the range that the equilibrium was fitted in "
+        "{} of the {} particles end outside the range that the equilibrium was fitted in "
         "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC): extrapolated.",
-        100.0 * part, species.name, fit.fit_delta_minimum, fit.fit_delta_maximum,
+        per_cent(outside, count), species.name, fit.fit_delta_minimum, fit.fit_delta_maximum,
         fit.fit_temperature_minimum - zero_celsius, fit.fit_temperature_maximum - zero_celsius));
 }
 

@@ -12,6 +12,7 @@
 #include "instruments/mixing.hpp"
 #include "instruments/section_ratios.hpp"
 #include "io/atomic_file.hpp"
+#include "io/series.hpp"
 #include "physics/conduction.hpp"
 #include "physics/mechanics.hpp"
 #include "physics/upright.hpp"
@@ -150,17 +151,8 @@ double largest_biot(const Case& c, const State& state, std::size_t species) {
   return largest;
 }
 
-// Highest mean temperature of a species over the run [K], and when [s].
-std::pair<double, double> hottest(const io::Series& series, const std::string& species) {
-  const std::string column = "temperature_mean." + species;
-  if (series.rows() == 0 || !series.has(column)) return {std::nan(""), std::nan("")};
-  const std::vector<double>& mean = series.values(column);
-  const auto top = std::max_element(mean.begin(), mean.end());
-  return {*top, series.values("time")[static_cast<std::size_t>(top - mean.begin())]};
-}
-
 Json thermal_of(const SummaryInput& in) {
-  Json mean, deviation, biot, highest, highest_at;
+  Json mean, deviation, biot, highest, highest_at, highest_std;
   for (std::size_t s = 0; s < in.setup.species.size(); ++s) {
     const auto figures =
         instruments::species_figures(in.state.particles, static_cast<SpeciesIndex>(s));
@@ -168,14 +160,17 @@ Json thermal_of(const SummaryInput& in) {
     mean[name] = number(figures.temperature.mean);
     deviation[name] = number(figures.temperature.deviation);
     biot[name] = largest_biot(in.setup, in.state, s);
-    const auto [top, at] = hottest(in.series, name);
-    highest[name] = number(top);
-    highest_at[name] = number(at);
+    const auto peak = io::peak_of(in.series, "temperature_mean." + name);
+    highest[name] = peak ? Json(peak->value) : Json(nullptr);
+    highest_at[name] = peak ? Json(peak->time) : Json(nullptr);
+    highest_std[name] =
+        peak ? number(in.series.values("temperature_std." + name)[peak->row]) : Json(nullptr);
   }
   return {{"temperature_mean", mean},
           {"temperature_std", deviation},
           {"temperature_highest", highest},
           {"temperature_highest_at", highest_at},
+          {"temperature_highest_std", highest_std},
           {"biot_max", biot},
           {"heat_to_walls", heat_paths(in.setup, in.state).to_walls}};
 }

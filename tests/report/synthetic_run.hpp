@@ -1,5 +1,5 @@
-// A run made up for the report's tests: two species, a bed in a cylinder, plausible courses. No
-// physics: only its shape matters.
+// A bed made up for the report's pictures, of any size: two species in a cylinder, with plausible
+// places and temperatures. Courses and summaries are those of a run that was (real_run.hpp).
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -9,9 +9,6 @@
 namespace pmr::report {
 
 RunData synthetic_run(std::size_t particles, const std::string& name);
-
-// The same run without heat, chemistry and bed tool: mechanics alone.
-RunData mechanics_only(RunData run);
 
 // Writes it as a run folder.
 void write_folder(const RunData& run, const std::filesystem::path& folder);

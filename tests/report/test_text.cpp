@@ -13,11 +13,23 @@ TEST_CASE("Numbers get the digits they deserve") {
   CHECK(with_unit(Quantity::temperature_difference, 7.83) == "7.8\u202fK");
   CHECK(with_unit(Quantity::delta, 0.45213) == "0.4521");
   CHECK(with_unit(Quantity::energy, 3310.4) == "3.31\u202fkJ");
-  CHECK(with_unit(Quantity::energy, 999.6e3) == "1000\u202fkJ");
   CHECK(with_unit(Quantity::count, 173769.0) == "173,769");
   CHECK(with_unit(Quantity::residual, 3.14e-9) == "3.1·10⁻⁹");
   CHECK(with_unit(Quantity::pressure, 101325.0) == "101.3\u202fkPa");
   CHECK(with_unit(Quantity::time, 1800.0) == "30\u202fmin");
+}
+
+TEST_CASE("A number just below a border is written as the one above it that it is rounded to") {
+  CHECK(with_unit(Quantity::mass, 0.99998) == "1.000\u202fkg");
+  CHECK(with_unit(Quantity::mass, 1.0) == "1.000\u202fkg");
+  CHECK(with_unit(Quantity::energy, 999.6e3) == "1.00\u202fMJ");
+  CHECK(with_unit(Quantity::energy, -999.6) == "\u22121.00\u202fkJ");
+  CHECK(with_unit(Quantity::residual, 9.96e-9) == "10⁻⁸");
+  CHECK(with_unit(Quantity::pressure, 9999.96) == "10.00\u202fkPa");
+  CHECK(with_unit(Quantity::pressure, 0.99999) == "1.000\u202fPa");
+  CHECK(with_unit(Quantity::time, 599.9) == "10\u202fmin");
+  CHECK(with_unit(Quantity::ratio, 9.996) == "10.0");
+  CHECK(with_unit(Quantity::temperature_difference, 0.996) == "1.0\u202fK");
 }
 
 TEST_CASE("A value that is not known is shown as a dash") {

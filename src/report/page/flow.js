@@ -7,11 +7,12 @@ pmr.energy = function (joule) {
       [1, "J"],
       [1e-3, "mJ"]
     ],
-    size = Math.abs(joule);
+    shown = Number(joule.toPrecision(3)),
+    size = Math.abs(shown);
   var step = steps.filter((s) => size >= s[0])[0] || steps[3];
   return (
     d3
-      .format(".3r")(joule / step[0])
+      .format(".3r")(shown / step[0])
       .replace("-", "−") +
     " " +
     step[1]
