@@ -2,6 +2,7 @@
 #include "physics/mechanics.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "mechanics_scene.hpp"
 #include "pmr/base/constants.hpp"
@@ -170,4 +171,34 @@ TEST_CASE("No particle and one particle are beds too") {
   run(c, one, 1000);
   CHECK(one.time == Approx(0.01));
   CHECK(one.particles.position[0][2] == Approx(0.05 - 0.5 * 9.81 * 1e-4).epsilon(1e-12));
+}
+
+// Johnson, Contact Mechanics (1985), eq. 4.23: F = 4/3 E* sqrt(R*) d^3/2, whose work from touch to
+// d is 8/15 E* sqrt(R*) d^5/2 = 2/5 k_n d^2.
+TEST_CASE("In the middle of a contact the springs hold the energy of Hertz") {
+  const double modulus = 5e6 / (2.0 * (1.0 - 0.3 * 0.3));  // [Pa] E* of a soft sphere on its like
+  const auto hertz = [&](double reduced_radius, double overlap) {
+    return 8.0 / 15.0 * modulus * std::sqrt(reduced_radius) * std::pow(overlap, 2.5);
+  };
+  Case c = bare_case();
+  c.gravity = Vec3::Zero();
+  SECTION("of two unlike spheres") {
+    c.particles.push_back({0, Vec3(0, 0, 0), Vec3(0, 0, 0.2), Vec3::Zero(), {}, {}});
+    c.particles.push_back({1, Vec3(0, 0, 1.501 * radius), Vec3(0, 0, -0.3), Vec3::Zero(), {}, {}});
+    State state = opened(c);
+    run(c, state, 8);
+    const auto& x = state.particles.position;
+    const double overlap = 1.5 * radius - (x[0] - x[1]).norm();
+    REQUIRE(overlap > 0.01 * radius);
+    CHECK(state.elastic_energy == Approx(hertz(radius / 3.0, overlap)).epsilon(1e-9));
+  }
+  SECTION("of a sphere on a wall") {
+    add_surface(c, rectangle(Vec3(-0.05, -0.05, 0), Vec3(0.1, 0, 0), Vec3(0, 0.1, 0)), add_body(c));
+    add_particle(c, Vec3(0, 0, 1.001 * radius), Vec3(0, 0, -0.5));
+    State state = opened(c);
+    run(c, state, 8);
+    const double overlap = radius - state.particles.position[0].z();
+    REQUIRE(overlap > 0.01 * radius);
+    CHECK(state.elastic_energy == Approx(hertz(radius, overlap)).epsilon(1e-9));
+  }
 }
