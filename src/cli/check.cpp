@@ -11,6 +11,7 @@
 #include "coupling/thermal_state.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"
+#include "pmr/base/parallel.hpp"
 #include "sim/forecast.hpp"
 
 namespace pmr::cli {
@@ -46,11 +47,20 @@ std::size_t print_species(const Case& c) {
   return total;
 }
 
+std::string minutes(double seconds) { return fmt::format("{:.2g} min", seconds / 60.0); }
+
 void print_forecast(const Case& c) {
-  const sim::Forecast f = sim::forecast(c);
-  fmt::print("forecast     at most {} steps, {:.2g} min on two cores, {:.2g} MB of output\n",
-             grouped(static_cast<std::size_t>(f.steps)), (f.moving + f.reacting) / 120.0,
-             1e-6 * f.bytes);
+  const sim::Forecast f = sim::forecast(c, sim::measure_costs(c));
+  const auto sum = [&](double sim::StageTimes::*stage) {
+    return minutes(f.fill.*stage + f.mix.*stage + f.react.*stage);
+  };
+  fmt::print("forecast     about {} steps, {} of output; {} on this machine's {} cores\n",
+             grouped(static_cast<std::size_t>(f.steps)), fmt::format("{:.2g} MB", 1e-6 * f.bytes),
+             minutes(f.total()), ThreadLimit::current());
+  fmt::print("             mechanics {}, tracing {}, conductances {}, network {}, output {}\n",
+             sum(&sim::StageTimes::mechanics), sum(&sim::StageTimes::tracing),
+             sum(&sim::StageTimes::links), sum(&sim::StageTimes::network),
+             sum(&sim::StageTimes::output));
 }
 
 }  // namespace

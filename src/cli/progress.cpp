@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "instruments/bed.hpp"
@@ -11,6 +10,8 @@
 
 namespace pmr::cli {
 namespace {
+
+constexpr double not_before = 2.0;  // [s] a run that is over by then needs no forecast
 
 const char* name_of(Phase phase) {
   switch (phase) {
@@ -26,17 +27,9 @@ const char* name_of(Phase phase) {
   return "done";
 }
 
-// Part of the phase's longest course that is done [1]. Intervals of the react phase grow in
-// proportion to its age, so that its work goes with the logarithm.
-double part_done(const sim::Simulation& simulation) {
-  const Case& c = simulation.setup();
-  const State& state = simulation.state();
-  if (state.phase == Phase::fill) return 1.0 + state.time / c.fill->duration;
-  if (state.phase == Phase::mix) return state.time / c.mix->duration;
-  if (state.phase == Phase::done) return 1.0;
-  const double scale = c.react->first_interval / c.react->growth;
-  const double done = state.time - state.settled_at, all = c.react->end - state.settled_at;
-  return std::log1p(done / scale) / std::log1p(all / scale);
+double of_phase(const sim::Forecast& left, Phase phase) {  // [s]
+  if (phase == Phase::fill) return left.fill.total();
+  return phase == Phase::mix ? left.mix.total() : left.react.total();
 }
 
 std::string temperatures(const sim::Simulation& simulation) {
@@ -60,25 +53,35 @@ std::string clock(double seconds) {
 
 Progress::Progress() : is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
+// The phase that runs goes on as fast as it went, beside what was foreseen of it; those to come
+// take what is foreseen.
+std::string Progress::time_left(const sim::Simulation& simulation) const {
+  const sim::Forecast left = sim::forecast_rest(simulation.setup(), costs_, simulation.state());
+  const double now = of_phase(left, phase_), done = phase_work_ - now;
+  const double speed = done > 0.05 * phase_work_ ? phase_clock_.seconds() / done : 1.0;
+  return "  about " + clock(left.total() - now + speed * now) + " left";
+}
+
 std::string Progress::line(const sim::Simulation& simulation) const {
-  const double part = part_done(simulation);
-  const double gained = part - phase_start_;
-  const std::string eta = gained > 0.02 ? "  phase ends in at most " +
-                                              clock(phase_clock_.seconds() * (1.0 - part) / gained)
-                                        : "";
   return fmt::format("{:5} t = {:9.4f} s{}  elapsed {}{}", name_of(simulation.state().phase),
                      simulation.state().time, temperatures(simulation), clock(total_.seconds()),
-                     eta);
+                     time_left(simulation));
+}
+
+void Progress::begin_phase(const sim::Simulation& simulation) {
+  phase_ = simulation.state().phase;
+  phase_work_ =
+      of_phase(sim::forecast_rest(simulation.setup(), costs_, simulation.state()), phase_);
+  phase_clock_ = {};
 }
 
 void Progress::show(const sim::Simulation& simulation) {
-  if (simulation.state().phase != phase_) {
-    phase_ = simulation.state().phase;
-    phase_start_ = part_done(simulation);
-    phase_clock_ = {};
-  } else if (shown_ && since_shown_.seconds() < (is_terminal_ ? 0.2 : 10.0)) {
+  if (total_.seconds() < not_before) return;
+  if (!shown_) costs_ = sim::measure_costs(simulation.setup());
+  if (!shown_ || simulation.state().phase != phase_)
+    begin_phase(simulation);
+  else if (since_shown_.seconds() < (is_terminal_ ? 0.2 : 10.0))
     return;
-  }
   since_shown_ = {};
   shown_ = true;
   std::fprintf(stderr, is_terminal_ ? "\r%-110s" : "%s\n", line(simulation).c_str());

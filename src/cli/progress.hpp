@@ -3,6 +3,7 @@
 #include <string>
 
 #include "pmr/base/timer.hpp"
+#include "sim/forecast.hpp"
 #include "sim/simulation.hpp"
 
 namespace pmr::cli {
@@ -18,11 +19,14 @@ class Progress {
 
  private:
   std::string line(const sim::Simulation& simulation) const;
+  void begin_phase(const sim::Simulation& simulation);
+  std::string time_left(const sim::Simulation& simulation) const;
 
   bool is_terminal_;
   Stopwatch total_, phase_clock_, since_shown_;
   Phase phase_ = Phase::done;
-  double phase_start_ = 0.0;  // [1] part of the phase that was done when first seen
+  sim::UnitCosts costs_;
+  double phase_work_ = 0.0;  // [s] foreseen for the rest of the phase when it was first seen
   bool shown_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/hash.hpp"
+#include "pmr/base/parallel.hpp"
 #include "sim/forecast.hpp"
 #include "sim/schedule.hpp"
 #include "statistics/design.hpp"
@@ -144,22 +145,38 @@ bool is_shareable(const Case& c) {
   return c.bed.empty() && c.react && sim::has_heat(c) && (c.fill || c.mix);
 }
 
-std::size_t mixing_of(const Case& c, Plan& plan) {
+// Of one core, measured with the study's first case: all of its runs are on one machine.
+class Forecaster {
+ public:
+  sim::Forecast operator()(const Case& c) {
+    if (!costs_) {
+      const ThreadLimit one_core(1);
+      costs_ = sim::measure_costs(c);
+    }
+    return sim::forecast(c, *costs_);
+  }
+
+ private:
+  std::optional<sim::UnitCosts> costs_;
+};
+
+std::size_t mixing_of(const Case& c, const sim::Forecast& forecast, Plan& plan) {
   const std::string name = mechanical_hash(c);
   for (std::size_t k = 0; k < plan.mixings.size(); ++k)
     if (plan.mixings[k].name == name) return k;
-  plan.mixings.push_back({name, c.text, sim::forecast(c).moving});
+  plan.mixings.push_back({name, c.text, forecast.mixing_alone()});
   return plan.mixings.size() - 1;
 }
 
-void read_case(const Study& study, PlannedRun& run, Plan& plan) {
+void read_case(const Study& study, PlannedRun& run, Forecaster& forecaster, Plan& plan) {
   const Case c = casefile::load_case(study.case_file, settings_of(study, run));
   run.case_text = c.text;
-  run.seconds = sim::forecast(c).reacting;
+  const sim::Forecast forecast = forecaster(c);
+  run.seconds = forecast.react.total();
   if (is_shareable(c))
-    run.mixing = mixing_of(c, plan);
+    run.mixing = mixing_of(c, forecast, plan);
   else
-    run.seconds += sim::forecast(c).moving;
+    run.seconds += forecast.moving();
 }
 
 void check_names(const Study& study, const Plan& plan) {
@@ -191,6 +208,7 @@ Plan make_plan(const Study& study) {
   Plan plan;
   std::vector<Fault> faults;  // of the first run that is wrong
   std::size_t sound = 0;
+  Forecaster forecaster;
   for (const auto& point : design_points(study))
     for (std::size_t k = 1; k <= study.replicates; ++k) {
       PlannedRun run;
@@ -198,7 +216,7 @@ Plan make_plan(const Study& study) {
       if (study.replicates > 1) run.replicate = k;
       run.name = name_of(study, run);
       try {
-        read_case(study, run, plan);
+        read_case(study, run, forecaster, plan);
         ++sound;
       } catch (const CaseError& error) {
         run.fault = error.what();

@@ -23,7 +23,7 @@ struct PlannedRun {
 struct Mixing {
   std::string name;       // content hash, 16 hexadecimal digits
   std::string case_text;  // of the first run that wants it
-  double seconds = 0.0;   // [s] forecast on one core, at most
+  double seconds = 0.0;   // [s] forecast on one core
 };
 
 struct Plan {
