@@ -99,8 +99,12 @@ void begin_particles(const Case& c, const std::vector<double>& delta, Particles&
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Material& material = material_of(c, p, i);
     p.delta[i] = delta[p.species[i]];
-    p.iron[i] =
-        material.redox ? p.mass[i] / chemistry::molar_mass(*material.redox, p.delta[i]) : 0.0;
+    if (material.redox) {
+      const Redox& redox = *material.redox;
+      p.iron[i] = p.mass[i] / chemistry::molar_mass(redox, redox.density_delta);
+      if (!c.models.mechanics_only)
+        p.mass[i] = p.iron[i] * chemistry::molar_mass(redox, p.delta[i]);
+    }
     p.enthalpy[i] = chemistry::enthalpy(solid_of(c, p, i), p.temperature[i], p.delta[i]);
   }
 }

@@ -211,7 +211,8 @@ class Model {
 
  private:
   double tracing(double rays) const {  // [s] of one
-    return costs_.ray * coupling::count_rays(c_, rays).sent;
+    const bool is_traced = c_.models.radiation->law == RadiationLaw::traced;
+    return is_traced ? costs_.ray * coupling::count_rays(c_, rays).sent : 0.0;
   }
 
   const Case& c_;
