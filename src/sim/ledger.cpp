@@ -21,6 +21,17 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+// How many particles hold oxygen [1], one at least. What each leaves is of either sign, so that
+// their sum grows with the root of their number alone.
+double grains(const State& state) {
+  const auto holds_oxygen = [](double iron) { return iron > 0.0; };
+  const auto count = [&](const Particles& p) {
+    return std::count_if(p.iron.begin(), p.iron.end(), holds_oxygen);
+  };
+  const auto all = count(state.particles) + count(state.waiting);
+  return std::max(1.0, static_cast<double>(all));
+}
+
 }  // namespace
 
 Balance close_books(const Case& c, const State& state) {
@@ -41,7 +52,7 @@ Balance close_books(const Case& c, const State& state) {
       state.gas.nitrogen + sum_of(state.gas.pore_nitrogen) -
       (f.nitrogen_closed_in + f.nitrogen_leaked - f.nitrogen_pumped - f.nitrogen_to_air);
   b.oxygen_residual = std::abs(solids) > std::abs(gas) ? solids : gas;
-  const double bound = kept_oxygen / oxygen_limit * state.opening.oxygen;
+  const double bound = kept_oxygen / oxygen_limit / std::sqrt(grains(state)) * state.opening.oxygen;
   const double shut_in = kept_gas / oxygen_limit * (f.oxygen_closed_in + f.nitrogen_closed_in);
   b.oxygen_relative = std::max(
       {relative(solids, f.grain_turnover, bound),

@@ -16,8 +16,9 @@ namespace pmr::sim {
 inline constexpr double energy_limit = 1e-6;  // [1] of the heat and gas turned over
 inline constexpr double oxygen_limit = 1e-7;  // [1] of the oxygen turned over; likewise nitrogen
 inline constexpr double kept_heat = 1e-8;     // [1] of C T; CVODES skips changes below 2e-9 a step
-inline constexpr double kept_oxygen = 2e-7;   // [1] of what is bound: Newton's last correction of
-                                              // delta may be 1e-2 of its tolerance, 1e-4
+inline constexpr double kept_oxygen = 2e-7;   // [1] of what one granule holds: Newton's last
+                                              // correction of delta may be 1e-2 of its tolerance,
+                                              // 1e-4; of N granules' store a root of N less
 inline constexpr double kept_gas = 1e-12;     // [1] of the gas shut in: rounding
 
 struct Balance {
