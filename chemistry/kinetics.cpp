@@ -133,7 +133,7 @@ RateSlopes oxygen_rate_slopes(const Redox& redox, const RateState& at) {
 
 double delta_rate(const Material& material, const RateState& at) {
   RateState here = at;
-  here.concentration = iron_concentration(material);
+  here.concentration = formula_unit_concentration(material);
   return 2.0 * oxygen_rate(*material.redox, here) / here.concentration;
 }
 

@@ -126,8 +126,8 @@ double molar_mass(const Redox& redox, double delta) {
   return redox.molar_mass - redox.atomic_oxygen * delta;
 }
 
-double iron_concentration(const Material& material) {
-  ensure(material.redox.has_value(), "only a redox material has an iron concentration");
+double formula_unit_concentration(const Material& material) {
+  ensure(material.redox.has_value(), "only a redox material has an formula_units concentration");
   return material.density / molar_mass(*material.redox, material.redox->density_delta);
 }
 

@@ -42,8 +42,8 @@ struct Bond {
 Bond bond_at(const RedoxEquilibrium& eq, double delta);
 
 double molar_mass(const Redox& redox, double delta);  // [kg/mol Fe]
-// Iron per volume of particle [mol/m3]; constant, since volume and iron are.
-double iron_concentration(const Material& material);
+// Formula units per volume of particle [mol/m3]; constant, since volume and formula units are.
+double formula_unit_concentration(const Material& material);
 
 // True when the fit was made for this state; T [K], pressure [Pa] of oxygen.
 bool is_within_fit(const RedoxEquilibrium& eq, double T, double delta, double pressure);

@@ -1,4 +1,5 @@
-// Heat content of solids. Inert materials count per kg; redox materials per mol of iron (Fe), by
+// Heat content of solids. Inert materials count per kg; redox materials per mol of formula units
+// (Fe in SrFeO3, Ce in CeO2), by
 //   h(T, delta) = h_2.5(T) + (0.5 - delta)/2 h_O2(T) + H(delta)                        [J/mol Fe]
 // from which everything else follows: with oxygen leaving as gas of h_O2(T), the heat of reaction
 // is dh(delta) at every T, and the books can close. Zero: 298.15 K for h_2.5, h_O2, inert solids
@@ -22,7 +23,7 @@ double molar_enthalpy(const Material& material, double T, double delta);
 // True when material and heat law fit together (the case reader asks; solids.cpp ensures).
 bool heat_law_fits(const Material& material);
 
-// One particle's solid. `amount` is its mass [kg] if inert, its iron [mol] if redox.
+// One particle's solid. `amount` is its mass [kg] if inert, its formula units [mol] if redox.
 struct Solid {
   const Material* material;
   double amount;  // [kg] or [mol Fe]
@@ -40,9 +41,9 @@ double temperature(const Solid& solid, double energy, double delta, double guess
 double redox_temperature(const Solid& solid, double energy, double delta, double bond_heat,
                          double guess);
 
-// The solid of a particle: mass [kg] counts if inert, iron [mol] if redox.
-inline Solid solid_of(const Material& material, double mass, double iron) {
-  return {&material, material.redox ? iron : mass};
+// The solid of a particle: mass [kg] counts if inert, formula units [mol] if redox.
+inline Solid solid_of(const Material& material, double mass, double formula_units) {
+  return {&material, material.redox ? formula_units : mass};
 }
 
 }  // namespace pmr::chemistry

@@ -1,5 +1,6 @@
 #include "physics/contact_law.hpp"
 
+#include "physics/pair_kernel.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::physics {
@@ -70,6 +71,10 @@ double composite_restitution(const RestitutionSide& a, const RestitutionSide& b)
   const double wa = weight(a), wb = weight(b);
   return std::sqrt((a.restitution * a.restitution * wb + b.restitution * b.restitution * wa) /
                    (wa + wb));
+}
+
+LawPair places_of(const ContactModel& model) {
+  return {model.force.index(), model.rolling.index()};
 }
 
 }  // namespace pmr::physics

@@ -2,10 +2,6 @@
 
 namespace pmr::physics {
 
-LawPair places_of(const ContactModel& model) {
-  return {model.force.index(), model.rolling.index()};
-}
-
 PairKernel best_pair_kernel(LawPair laws) {
   __builtin_cpu_init();
   const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

@@ -101,7 +101,7 @@ void move_in(State& state, std::size_t k, const Vec3& position, const Vec3& velo
   append(p.spin, Vec3(Vec3::Zero()));
   append(p.force, Vec3(Vec3::Zero()));
   append(p.torque, Vec3(Vec3::Zero()));
-  append(p.iron, state.waiting.iron[k]);
+  append(p.formula_units, state.waiting.formula_units[k]);
   append(p.delta, state.waiting.delta[k]);
   append(p.enthalpy, state.waiting.enthalpy[k]);
   append(p.temperature, state.waiting.temperature[k]);

@@ -91,6 +91,14 @@ Box box_of(const Facet& facet) {
   return box;
 }
 
+bool is_beyond(const Plane& plane, const Vec3& x, double reach) {
+  return std::abs((x - plane.point).dot(plane.normal)) > reach;
+}
+bool is_beyond(const Revolved&, const Vec3&, double) { return false; }  // its box tells enough
+bool is_beyond(const Facet& facet, const Vec3& x, double reach) {
+  return std::abs((x - facet.triangles.front()[0]).dot(facet.normal)) > reach;
+}
+
 }  // namespace
 
 Vec3 closest_point(const Shape& shape, const Vec3& x) {
@@ -103,11 +111,7 @@ Vec3 closest_point(const Facet& facet, std::span<const std::uint32_t> triangles,
 }
 
 bool is_surely_beyond(const Shape& shape, const Vec3& x, double reach) {
-  if (const auto* facet = std::get_if<Facet>(&shape))
-    return std::abs((x - facet->triangles.front()[0]).dot(facet->normal)) > reach;
-  if (const auto* plane = std::get_if<Plane>(&shape))
-    return std::abs((x - plane->point).dot(plane->normal)) > reach;
-  return false;
+  return std::visit([&](const auto& s) { return is_beyond(s, x, reach); }, shape);
 }
 
 Box bounding_box(const Shape& shape) {

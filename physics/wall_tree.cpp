@@ -25,29 +25,40 @@ Bounds bounds(const Box& box) {
   return {Point(box.low[0], box.low[1], box.low[2]), Point(box.high[0], box.high[1], box.high[2])};
 }
 
-void list_parts(const Surface& surface, std::uint32_t index, std::vector<Entry>& parts) {
-  const auto* facet = std::get_if<Facet>(&surface.shape);
-  if (!facet) {
+struct Endless {
+  Plane plane;
+  WallPart part;
+  std::uint32_t body;
+};
+
+// Puts a surface where it is found again: endless shapes into a list, others into its body's tree,
+// facets triangle by triangle.
+struct Sorter {
+  const Surface& surface;
+  std::uint32_t index;
+  std::vector<Endless>& endless;
+  std::vector<Entry>& parts;
+
+  void operator()(const Plane& plane) const {
+    endless.push_back({plane, {index, WallPart::whole}, surface.body});
+  }
+  void operator()(const Revolved&) const {
     parts.push_back(
         {bounds(bounding_box(surface.shape)), {index, WallPart::whole}, &surface.shape});
-    return;
   }
-  for (std::uint32_t t = 0; t < facet->triangles.size(); ++t) {
-    const auto& [a, b, c] = facet->triangles[t];
-    const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-    parts.push_back({bounds(box), {index, t}, &surface.shape});
+  void operator()(const Facet& facet) const {
+    for (std::uint32_t t = 0; t < facet.triangles.size(); ++t) {
+      const auto& [a, b, c] = facet.triangles[t];
+      const Box box{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+      parts.push_back({bounds(box), {index, t}, &surface.shape});
+    }
   }
-}
+};
 
 }  // namespace
 
 struct WallTree::Trees {
   std::vector<Tree> of_body;
-  struct Endless {
-    Plane plane;
-    WallPart part;
-    std::uint32_t body;
-  };
   std::vector<Endless> endless;
 };
 
@@ -56,10 +67,7 @@ WallTree::WallTree(const Walls& walls) : trees_(std::make_unique<Trees>()) {
   for (std::uint32_t s = 0; s < walls.surfaces.size(); ++s) {
     const Surface& surface = walls.surfaces[s];
     if (!surface.holds_particles) continue;
-    if (const auto* plane = std::get_if<Plane>(&surface.shape))
-      trees_->endless.push_back({*plane, {s, WallPart::whole}, surface.body});
-    else
-      list_parts(surface, s, parts[surface.body]);
+    std::visit(Sorter{surface, s, trees_->endless, parts[surface.body]}, surface.shape);
   }
   for (const auto& list : parts) trees_->of_body.emplace_back(list.begin(), list.end());
 }

@@ -97,13 +97,14 @@ void check_whole(Table& root, const Case& made) {
   }
 }
 
+bool is_along_z(const Vec3& axis) { return std::abs(axis.z()) > 1.0 - 1e-9; }
+bool is_level(const Plane& plane) { return is_along_z(plane.normal); }
+bool is_level(const Facet& facet) { return is_along_z(facet.normal); }
+bool is_level(const Revolved& turned) { return turned.z0 == turned.z1 && is_along_z(turned.axis); }
+
 // True where the surface lies across the z axis.
 bool is_level(const Surface& surface) {
-  const auto along_z = [](const Vec3& axis) { return std::abs(axis.z()) > 1.0 - 1e-9; };
-  if (const auto* plane = std::get_if<Plane>(&surface.shape)) return along_z(plane->normal);
-  if (const auto* facet = std::get_if<Facet>(&surface.shape)) return along_z(facet->normal);
-  const auto& turned = std::get<Revolved>(surface.shape);
-  return turned.z0 == turned.z1 && along_z(turned.axis);
+  return std::visit([](const auto& s) { return is_level(s); }, surface.shape);
 }
 
 // What is built for a bed along z alone, and what needs a bed, that is gravity.

@@ -12,15 +12,20 @@ constexpr double another_unit = 300.0;  // [1] metre and millimetre are 1000 apa
 
 using physics::Box;
 
+bool cuts(const Plane& plane, const Vec3& low, const Vec3& high) {
+  const Vec3 half = 0.5 * (high - low);
+  const double reach = half.dot(plane.normal.cwiseAbs());
+  return std::abs((plane.point - low - half).dot(plane.normal)) <= reach;
+}
+template <class Bounded>
+bool cuts(const Bounded& shape, const Vec3& low, const Vec3& high) {
+  const Box box = physics::bounding_box(shape);
+  return (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
+}
+
 // Whether particles within the domain can come to the surface's middle.
 bool is_within(const Surface& surface, const Vec3& low, const Vec3& high) {
-  if (const auto* plane = std::get_if<Plane>(&surface.shape)) {
-    const Vec3 half = 0.5 * (high - low);
-    const double reach = half.dot(plane->normal.cwiseAbs());
-    return std::abs((plane->point - low - half).dot(plane->normal)) <= reach;
-  }
-  const Box box = physics::bounding_box(surface.shape);
-  return (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
+  return std::visit([&](const auto& s) { return cuts(s, low, high); }, surface.shape);
 }
 
 void check_place(Table& root, const Case& made, std::uint32_t body) {

@@ -12,7 +12,7 @@ namespace pmr::coupling {
 namespace {
 
 void find_gas(const System& system, double t, std::span<const double> y, Evaluation& at) {
-  if (system.bodies() == 0) {
+  if (system.zones() == 0) {
     at.gas = {};
     at.gas.oxygen_pressure = system.air_oxygen_pressure;
     return;
@@ -28,7 +28,7 @@ void find_film_heat(const System& system, Evaluation& at) {
       layer_means(system.pores, [&](std::size_t node) { return at.temperature[node]; });
   at.film_heat.resize(mean.size());
   for (std::size_t k = 0; k < mean.size(); ++k)
-    at.film_heat[k] = system.pores.layers[k].film * (at.gas.body_temperature[k] - mean[k]);
+    at.film_heat[k] = system.pores.layers[k].film * (at.gas.zone_temperature[k] - mean[k]);
 }
 
 void find_temperatures(const System& system, std::span<const double> y, Evaluation& at) {
@@ -113,18 +113,18 @@ bool evaluate_without_heat(const System& system, double t, std::span<const doubl
 void fill_rates(const System& system, const Evaluation& at, std::span<double> rate) {
   parallel_for(system.nodes->solids(),
                [&](std::size_t id) { rate[id] = system.stores[id] != 0 ? at.heat[id] : 0.0; });
-  // [mol/s], 0, [W] given to each body of gas
+  // [mol/s], 0, [W] given to each gas zone
   const auto given = parallel_bins(
-      system.reactants.size(), 3 * system.bodies(), [&](std::size_t k, std::vector<double>& sums) {
+      system.reactants.size(), 3 * system.zones(), [&](std::size_t k, std::vector<double>& sums) {
         const Reactant& grain = system.reactants[k];
         const double heat =
             at.release[k] * chemistry::oxygen_heat(at.temperature[grain.id]).enthalpy;
         rate[grain.id] -= heat;
-        rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.iron;
-        const std::size_t body = system.body_of(grain.id);
-        if (body == System::no_body) return;
-        sums[3 * body] += at.release[k];
-        sums[3 * body + 2] += heat;
+        rate[system.delta_begin() + k] = 2.0 * at.release[k] / grain.formula_units;
+        const std::size_t zone = system.zone_of(grain.id);
+        if (zone == System::open_air) return;
+        sums[3 * zone] += at.release[k];
+        sums[3 * zone + 2] += heat;
       });
   for (const WallProfile& wall : system.profiles) {
     const std::size_t cells = wall.conductance.size();

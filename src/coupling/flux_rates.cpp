@@ -126,7 +126,7 @@ void sort_reaction(const System& system, const Evaluation& at, std::size_t k, Fl
   rates.by.released[species] += release;
   rates.by.carried[species] += enthalpy;
   rates.by.reaction[species] += bond;
-  if (system.body_of(grain.id) != System::no_body) {
+  if (system.zone_of(grain.id) != System::open_air) {
     rates.sums.oxygen_turnover += std::abs(release);
     return;
   }
@@ -180,7 +180,7 @@ FluxRates flux_rates(const System& system, const Evaluation& at) {
   add_walls(system, at, rates.sums);
   sort_all(system, system.reactants.size(), rates,
            [&](std::size_t k, Sorter& sorter) { sort_reaction(system, at, k, sorter.rates); });
-  if (system.bodies() > 0) add_gas(at.gas, rates.sums);
+  if (system.zones() > 0) add_gas(at.gas, rates.sums);
   rates.sums.heat_exchanged = heat_exchanged(system, at);
   return rates;
 }

@@ -10,8 +10,8 @@
 namespace pmr::coupling {
 namespace {
 
-// A body of gas at one moment.
-struct Body {
+// A gas zone at one moment.
+struct Zone {
   double temperature;      // [K]
   double pressure;         // [Pa]
   double oxygen_fraction;  // [1]
@@ -23,7 +23,7 @@ struct Flow {
   double enthalpy = 0.0;                // [W]
 };
 
-Body body_at(std::span<const double> y, double volume, double guess) {
+Zone zone_at(std::span<const double> y, double volume, double guess) {
   const chemistry::GasAmount gas{y[0], y[1]};
   const double T = chemistry::gas_temperature(gas, y[2], guess);
   return {T, chemistry::gas_pressure(chemistry::total(gas), T, volume),
@@ -44,7 +44,7 @@ struct Half {
 // bed's overpressure of 0.1 kPa at 1 atm, and is a ten-thousandth of its resistance at 1 kPa.
 constexpr double emptying = 2e-6;  // [s]
 
-Half half_of(const PoreLayer& layer, const Body& gas) {
+Half half_of(const PoreLayer& layer, const Zone& gas) {
   const double x = gas.oxygen_fraction, T = gas.temperature;
   const double path = chemistry::mean_free_path(x, T, gas.pressure);
   const double spread = layer.area / (0.5 * layer.height);  // [m]
@@ -72,7 +72,7 @@ double mixed(double share, double a, double b) { return b + share * (a - b); }
 
 // From a to b: viscous flow with slip, c K/mu dp, and diffusion of the species into each other,
 // c D dx. Enthalpies are carried alike; what they would diffuse is in the gaps' conduction.
-Flow between(const Body& a, const Body& b, const Half& way, double concentration) {
+Flow between(const Zone& a, const Zone& b, const Half& way, double concentration) {
   const double whole = concentration * way.flow * (a.pressure - b.pressure);
   const double share = share_of_a(whole / (concentration * way.diffusion));
   const double x = mixed(share, a.oxygen_fraction, b.oxygen_fraction);
@@ -85,7 +85,7 @@ Flow between(const Body& a, const Body& b, const Half& way, double concentration
           oxygen * carried(chemistry::oxygen_heat) + nitrogen * carried(chemistry::nitrogen_heat)};
 }
 
-double concentration(const Body& gas) { return gas.pressure / (gas_constant * gas.temperature); }
+double concentration(const Zone& gas) { return gas.pressure / (gas_constant * gas.temperature); }
 
 void add(std::span<double> rate, const Flow& flow, double sign) {
   rate[0] += sign * flow.oxygen;
@@ -94,7 +94,7 @@ void add(std::span<double> rate, const Flow& flow, double sign) {
 }
 
 // Up through the layers, and out of the uppermost into `above`; what goes there is returned.
-Flow rise(const System& system, const std::vector<Body>& layers, const Body& above,
+Flow rise(const System& system, const std::vector<Zone>& layers, const Zone& above,
           std::span<double> rate) {
   std::vector<Half> half;
   for (std::size_t k = 0; k < layers.size(); ++k)
@@ -108,14 +108,14 @@ Flow rise(const System& system, const std::vector<Body>& layers, const Body& abo
     add(rate.subspan(3 * k + 3, 3), flow, 1.0);
   }
   // The bed's temperature holds up to its top.
-  const Body& top = layers.back();
+  const Zone& top = layers.back();
   const double mean = 0.5 * (top.pressure + above.pressure) / (gas_constant * top.temperature);
   const Flow flow = between(top, above, half.back(), mean);
   add(rate.subspan(3 * (layers.size() - 1), 3), flow, -1.0);
   return flow;
 }
 
-void pump_and_leak(const ChamberCase& chamber, double t, const Body& gas, GasRates& r) {
+void pump_and_leak(const ChamberCase& chamber, double t, const Zone& gas, GasRates& r) {
   const double x = gas.oxygen_fraction, T = gas.temperature;
   const double out = chemistry::pump_outflow(chamber, gas.pressure, T, t);
   const double in = chemistry::air_inflow(chamber, gas.pressure, t);
@@ -144,32 +144,32 @@ void leave_to_air(const Flow& flow, GasRates& r) {
 }  // namespace
 
 GasRates gas_rates(const System& system, double t, std::span<const double> y) {
-  const ChamberCase& chamber = *system.kase->chamber;
+  const ChamberCase& chamber = *system.setup->chamber;
   GasRates r{};
   r.rate.assign(y.size(), 0.0);
   const std::size_t layers = system.pores.layers.size();
-  Body above{chamber.gas_temperature, chamber.pressure, chamber.oxygen_fraction};
+  Zone above{chamber.gas_temperature, chamber.pressure, chamber.oxygen_fraction};
   if (system.closed)
-    above = body_at(y.subspan(3 * layers, 3), system.free_volume, chamber.gas_temperature);
+    above = zone_at(y.subspan(3 * layers, 3), system.free_volume, chamber.gas_temperature);
   r.temperature = above.temperature;
   r.pressure = above.pressure;
   r.oxygen_pressure = above.oxygen_fraction * above.pressure;
   Flow risen;
   if (layers > 0) {
-    std::vector<Body> bodies;
+    std::vector<Zone> zones;
     for (std::size_t k = 0; k < layers; ++k) {
-      bodies.push_back(body_at(y.subspan(3 * k, 3), system.pores.layers[k].volume, 1e3));
-      r.body_temperature.push_back(bodies[k].temperature);
-      r.body_oxygen_pressure.push_back(bodies[k].oxygen_fraction * bodies[k].pressure);
+      zones.push_back(zone_at(y.subspan(3 * k, 3), system.pores.layers[k].volume, 1e3));
+      r.zone_temperature.push_back(zones[k].temperature);
+      r.zone_oxygen_pressure.push_back(zones[k].oxygen_fraction * zones[k].pressure);
     }
-    risen = rise(system, bodies, above, r.rate);
+    risen = rise(system, zones, above, r.rate);
   }
   if (!system.closed) {
     leave_to_air(risen, r);
     return r;
   }
-  r.body_temperature.push_back(r.temperature);
-  r.body_oxygen_pressure.push_back(r.oxygen_pressure);
+  r.zone_temperature.push_back(r.temperature);
+  r.zone_oxygen_pressure.push_back(r.oxygen_pressure);
   pump_and_leak(chamber, t, above, r);
   add({r.rate.data() + 3 * layers, 3}, risen, 1.0);
   add({r.rate.data() + 3 * layers, 3},

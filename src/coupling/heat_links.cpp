@@ -58,7 +58,7 @@ struct Surroundings {
 
 // What all links of one moment share.
 struct Context {
-  const Case& kase;
+  const Case& setup;
   const ConductionModel& model;
   const Outlook& outlook;
   const PoreSpace& pores;
@@ -116,7 +116,7 @@ HeatLink link(const Context& context, const Surroundings& around, const Side& on
 }
 
 Side side_of(const Context& context, const Particles& p, std::size_t i) {
-  const Case& c = context.kase;
+  const Case& c = context.setup;
   return {&c.materials.list[c.species[p.species[i]].material], p.radius[i],
           context.outlook.temperature[i]};
 }
@@ -124,7 +124,7 @@ Side side_of(const Context& context, const Particles& p, std::size_t i) {
 // Links across the gaps of the bed, in their order.
 std::vector<HeatLink> link_gaps(const Context& context, const Nodes& nodes, const State& state,
                                 const Gaps& gaps) {
-  const Case& c = context.kase;
+  const Case& c = context.setup;
   const Particles& p = state.particles;
   const auto faces = patch_temperatures(c, nodes, context.outlook.walls);
   const auto other_side = [&](const Gap& gap) {

@@ -77,19 +77,19 @@ std::vector<double> film_changes(const Linearisation& J, const Changes& change) 
   return heat;
 }
 
-// What the bed gives to each body of gas, three figures each; write(reaction, k, given) is told of
+// What the bed gives to each gas zone, three figures each; write(reaction, k, given) is told of
 // every reactant.
 template <class Write>
 std::vector<double> given_by_bed(const Linearisation& J, const Changes& change,
                                  const Write& write) {
-  return parallel_bins(J.reactions.size(), 3 * J.system->bodies(),
+  return parallel_bins(J.reactions.size(), 3 * J.system->zones(),
                        [&](std::size_t k, std::vector<double>& sums) {
                          const ReactionSlopes& r = J.reactions[k];
                          const Given given = given_change(J, k, change);
                          write(r, k, given);
-                         if (r.body == System::no_body) return;
-                         sums[3 * r.body] += given.oxygen;
-                         sums[3 * r.body + 2] += given.energy;
+                         if (r.zone == System::open_air) return;
+                         sums[3 * r.zone] += given.oxygen;
+                         sums[3 * r.zone + 2] += given.energy;
                        });
 }
 
@@ -121,8 +121,8 @@ Eigen::VectorXd gas_rows(const Linearisation& J, const Eigen::VectorXd& gas,
   return rows;
 }
 
-double film_loss(const Linearisation& J, std::size_t body) {  // [W/K] of a body of gas to solids
-  return body < J.system->pores.layers.size() ? J.system->pores.layers[body].film
+double film_loss(const Linearisation& J, std::size_t zone) {  // [W/K] of a gas zone to solids
+  return zone < J.system->pores.layers.size() ? J.system->pores.layers[zone].film
                                               : J.heat.sums->conduction[J.system->nodes->gas()];
 }
 
@@ -151,8 +151,8 @@ void Changes::follow_gas(const Linearisation& J, const Eigen::VectorXd& more) {
 
 std::vector<double> pressure_changes(const GasSlopes& slopes, const Eigen::VectorXd& gas) {
   std::vector<double> change(slopes.pressure.size());
-  for (std::size_t body = 0; body < change.size(); ++body)
-    change[body] = slopes.pressure[body].dot(gas.segment<3>(static_cast<Eigen::Index>(3 * body)));
+  for (std::size_t zone = 0; zone < change.size(); ++zone)
+    change[zone] = slopes.pressure[zone].dot(gas.segment<3>(static_cast<Eigen::Index>(3 * zone)));
   return change;
 }
 
@@ -161,7 +161,7 @@ Given given_change(const Linearisation& J, std::size_t k, const Changes& change)
   const double dT = change.temperature[r.id];
   const double release =
       r.by_T * dT + r.by_delta * change.v[J.system->delta_begin() + k] +
-      (r.body == System::no_body ? 0.0 : r.by_pressure * change.pressure[r.body]);
+      (r.zone == System::open_air ? 0.0 : r.by_pressure * change.pressure[r.zone]);
   return {release, release * r.oxygen_heat + r.release * r.oxygen_capacity * dT};
 }
 
@@ -178,7 +178,7 @@ void product(const Linearisation& J, std::span<const double> v, std::span<double
   const auto given =
       given_by_bed(J, change, [&](const ReactionSlopes& r, std::size_t k, const Given& one) {
         jv[r.id] -= one.energy;
-        jv[system.delta_begin() + k] = 2.0 * one.oxygen / r.iron;
+        jv[system.delta_begin() + k] = 2.0 * one.oxygen / r.formula_units;
       });
   wall_product(system, heat, v, jv);
   const Eigen::VectorXd rows = gas_rows(J, change.gas, given, film, heat[system.nodes->gas()]);
@@ -195,19 +195,19 @@ Eigen::VectorXd gas_product(const Linearisation& J, const Changes& change) {
 }
 
 Eigen::MatrixXd gas_by_gas(const Linearisation& J) {
-  const std::size_t bodies = J.system->bodies();
+  const std::size_t zones = J.system->zones();
   Eigen::MatrixXd rows = J.gas.rates;
   const auto given =
-      parallel_bins(J.reactions.size(), 2 * bodies, [&](std::size_t k, std::vector<double>& sums) {
+      parallel_bins(J.reactions.size(), 2 * zones, [&](std::size_t k, std::vector<double>& sums) {
         const ReactionSlopes& r = J.reactions[k];
-        sums[2 * r.body] += r.by_pressure;
-        sums[2 * r.body + 1] += r.by_pressure * r.oxygen_heat;
+        sums[2 * r.zone] += r.by_pressure;
+        sums[2 * r.zone + 1] += r.by_pressure * r.oxygen_heat;
       });
-  for (std::size_t body = 0; body < bodies; ++body) {
-    const auto first = static_cast<Eigen::Index>(3 * body);
-    rows.block<1, 3>(first, first) += given[2 * body] * J.gas.pressure[body].transpose();
-    rows.block<1, 3>(first + 2, first) += given[2 * body + 1] * J.gas.pressure[body].transpose() -
-                                          film_loss(J, body) * J.gas.temperature[body].transpose();
+  for (std::size_t zone = 0; zone < zones; ++zone) {
+    const auto first = static_cast<Eigen::Index>(3 * zone);
+    rows.block<1, 3>(first, first) += given[2 * zone] * J.gas.pressure[zone].transpose();
+    rows.block<1, 3>(first + 2, first) += given[2 * zone + 1] * J.gas.pressure[zone].transpose() -
+                                          film_loss(J, zone) * J.gas.temperature[zone].transpose();
   }
   return rows;
 }

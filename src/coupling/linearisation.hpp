@@ -37,7 +37,7 @@ struct Changes {
   std::span<const double> v;
   std::vector<double> temperature;  // [K] by node; of the gas only the chamber's
   Eigen::VectorXd gas;              // its unknowns
-  std::vector<double> pressure;     // [Pa] of oxygen by body of gas
+  std::vector<double> pressure;     // [Pa] of oxygen by gas zone
 };
 
 // jv = J v
@@ -53,7 +53,7 @@ struct Given {
 };
 Given given_change(const Linearisation& J, std::size_t k, const Changes& change);
 
-// Change of pO2 [Pa] in each body of gas with its three unknowns.
+// Change of pO2 [Pa] in each gas zone with its three unknowns.
 std::vector<double> pressure_changes(const GasSlopes& slopes, const Eigen::VectorXd& gas);
 
 }  // namespace pmr::coupling

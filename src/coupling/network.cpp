@@ -40,18 +40,18 @@ std::vector<double> tolerances(const Case& c, const System& system, std::span<co
       atol[system.cell_begin() + wall.first_cell + j] =
           model.temperature_tolerance * column.capacity[j] * wall.area;
   }
-  for (std::size_t body = 0; body < system.bodies(); ++body) {
+  for (std::size_t zone = 0; zone < system.zones(); ++zone) {
     const double volume =
-        body < system.pores.layers.size() ? system.pores.layers[body].volume : system.free_volume;
-    const double pascal = volume / (gas_constant * at.gas.body_temperature[body]);  // [mol/Pa]
-    double* const of_body = atol.data() + system.gas_begin() + 3 * body;
-    of_body[0] = of_body[1] = model.relative_tolerance * pascal;
-    of_body[2] = model.relative_tolerance * volume;  // [J], U ~ p V
+        zone < system.pores.layers.size() ? system.pores.layers[zone].volume : system.free_volume;
+    const double pascal = volume / (gas_constant * at.gas.zone_temperature[zone]);  // [mol/Pa]
+    double* const of_zone = atol.data() + system.gas_begin() + 3 * zone;
+    of_zone[0] = of_zone[1] = model.relative_tolerance * pascal;
+    of_zone[2] = model.relative_tolerance * volume;  // [J], U ~ p V
   }
   return atol;
 }
 
-// What the relative tolerance is of, for the three unknowns of a body of gas: its oxygen; all of
+// What the relative tolerance is of, for the three unknowns of a gas zone: its oxygen; all of
 // its moles for nitrogen, of which the last traces drive nothing; its energy counted from 0 K
 // (diatomic), since U is zero at some 420 K, where nothing happens.
 Vec3 measures(const double* gas) {
@@ -66,19 +66,19 @@ Vec3 measures(const double* gas) {
 constexpr double pores_part = 5.0;
 
 // Weights 1/(rtol |y| + atol) of CVODES' root mean square norm. The gas' unknowns stand for
-// whole bodies of it and must not drown among the particles': each weighs as if it were alone.
+// whole zones of it and must not drown among the particles': each weighs as if it were alone.
 void weigh(const System& system, double relative, const std::vector<double>& absolute, In y,
            Out weight) {
   const std::size_t gas = system.gas_begin();
   parallel_for(gas,
                [&](std::size_t k) { weight[k] = 1.0 / (relative * std::abs(y[k]) + absolute[k]); });
   const double alone = std::sqrt(static_cast<double>(y.size()));
-  for (std::size_t body = gas; body < y.size(); body += 3) {
-    const Vec3 measure = measures(y.data() + body);
-    const double part = (body < system.chamber_begin() ? pores_part : 1.0) * relative;
+  for (std::size_t zone = gas; zone < y.size(); zone += 3) {
+    const Vec3 measure = measures(y.data() + zone);
+    const double part = (zone < system.chamber_begin() ? pores_part : 1.0) * relative;
     for (std::size_t k = 0; k < 3; ++k)
-      weight[body + k] =
-          alone / (part * measure[static_cast<Eigen::Index>(k)] + absolute[body + k]);
+      weight[zone + k] =
+          alone / (part * measure[static_cast<Eigen::Index>(k)] + absolute[zone + k]);
   }
 }
 
@@ -104,22 +104,22 @@ void add(std::span<const double> integral, State& state) {
 
 // The evaluation at the point that was asked for last: CVODES wants rates, quadratures and the
 // Jacobian at the same (t, y), one after the other.
-class Looked {
+class EvaluationCache {
  public:
-  explicit Looked(const System& system) : system_(system) {}
+  explicit EvaluationCache(const System& system) : system_(system) {}
 
   // False where y lies outside the domain of the physics.
-  bool look(double t, In y) {
+  bool evaluate_at(double t, In y) {
     if (is_valid_ && has_heat_ && is_here(t, y)) return true;
     has_heat_ = true;
-    return look_anew(t, y, evaluate);
+    return evaluate_anew(t, y, evaluate);
   }
-  // The heat that each node receives is then that of the look before, which for quadratures is at
-  // Newton's last but one iterate, less than newton_limit of the tolerance away.
-  bool look_without_heat(double t, In y) {
+  // The heat that each node receives is then that of the evaluation before, which for quadratures
+  // is at Newton's last but one iterate, less than newton_limit of the tolerance away.
+  bool evaluate_at_without_heat(double t, In y) {
     if (is_valid_ && is_here(t, y)) return true;
     has_heat_ = false;
-    return look_anew(t, y, evaluate_without_heat);
+    return evaluate_anew(t, y, evaluate_without_heat);
   }
   const Evaluation& at() const { return at_; }
 
@@ -128,8 +128,8 @@ class Looked {
     return t == t_ && std::equal(y.begin(), y.end(), y_.begin());
   }
   template <class Evaluate>
-  bool look_anew(double t, In y, const Evaluate& evaluate_at) {
-    is_valid_ = evaluate_at(system_, t, y, at_);
+  bool evaluate_anew(double t, In y, const Evaluate& physics) {
+    is_valid_ = physics(system_, t, y, at_);
     t_ = t;
     y_.assign(y.begin(), y.end());
     return is_valid_;
@@ -150,29 +150,29 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   const System system = assemble_system(c, nodes, state, outlook, std::move(links), pores);
   std::vector<double> y = pack(system, state);
   if (y.empty()) return {};
-  Looked looked(system);
-  if (!looked.look(from, y))
+  EvaluationCache cache(system);
+  if (!cache.evaluate_at(from, y))
     throw NumericsError("heat and reaction network: its state lies outside the physics at t = " +
                         std::to_string(from) + " s");
   const RowSums sums(system);
 
   OdeProblem problem;
   problem.rate = [&](double t, In now, Out rate) {
-    if (!looked.look(t, now)) return false;
-    fill_rates(system, looked.at(), rate);
+    if (!cache.evaluate_at(t, now)) return false;
+    fill_rates(system, cache.at(), rate);
     return true;
   };
   problem.quadrature = [&](double t, In now, Out rate) {
-    if (!looked.look_without_heat(t, now)) return false;
-    const auto values = as_vector(flux_rates(system, looked.at()));
+    if (!cache.evaluate_at_without_heat(t, now)) return false;
+    const auto values = as_vector(flux_rates(system, cache.at()));
     std::copy(values.begin(), values.end(), rate.begin());
     return true;
   };
   problem.linearise = [&](double t, In now) -> std::shared_ptr<const Linearisation> {
-    if (!looked.look(t, now)) return nullptr;
-    return std::make_shared<const Linearisation>(system, sums, t, now, looked.at());
+    if (!cache.evaluate_at(t, now)) return nullptr;
+    return std::make_shared<const Linearisation>(system, sums, t, now, cache.at());
   };
-  const std::vector<double> absolute = tolerances(c, system, y, looked.at());
+  const std::vector<double> absolute = tolerances(c, system, y, cache.at());
   problem.weigh = [&](In now, Out weight) {
     weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
   };

@@ -17,6 +17,25 @@ std::string patch_name(const Surface& surface, std::uint32_t local) {
          std::to_string(local % surface.patches[1]) + "]";
 }
 
+using Patches = std::array<std::uint32_t, 2>;
+
+std::uint32_t patch_of(const Plane&, const Patches&, const Vec3&) { return 0; }
+std::uint32_t patch_of(const Facet&, const Patches&, const Vec3&) { return 0; }
+std::uint32_t patch_of(const Revolved& shape, const Patches& patches, const Vec3& point) {
+  const Vec3 x = point - shape.origin;
+  const double z = x.dot(shape.axis);
+  const double r = (x - z * shape.axis).norm();
+  const double dr = shape.r1 - shape.r0, dz = shape.z1 - shape.z0;
+  const double along = ((r - shape.r0) * dr + (z - shape.z0) * dz) / (dr * dr + dz * dz);
+  const Vec3 s = first_direction(shape.axis);
+  const double angle = std::atan2(x.dot(shape.axis.cross(s)), x.dot(s)) / (2.0 * pi);
+  const auto place = [](double fraction, std::uint32_t count) {
+    return std::min(count - 1, static_cast<std::uint32_t>(std::max(0.0, fraction * count)));
+  };
+  return place(along, patches[0]) * patches[1] +
+         place(angle < 0.0 ? angle + 1.0 : angle, patches[1]);
+}
+
 }  // namespace
 
 Nodes number_nodes(const Case& c, std::size_t particles) {
@@ -51,20 +70,9 @@ void number_in_space(const Particles& particles, Nodes& nodes) {
 }
 
 std::uint32_t patch_at(const Surface& surface, const Vec3& point) {
-  const auto* shape = std::get_if<Revolved>(&surface.shape);
-  if (!shape || patch_count(surface) == 1) return 0;
-  const Vec3 x = point - shape->origin;
-  const double z = x.dot(shape->axis);
-  const double r = (x - z * shape->axis).norm();
-  const double dr = shape->r1 - shape->r0, dz = shape->z1 - shape->z0;
-  const double along = ((r - shape->r0) * dr + (z - shape->z0) * dz) / (dr * dr + dz * dz);
-  const Vec3 s = first_direction(shape->axis);
-  const double angle = std::atan2(x.dot(shape->axis.cross(s)), x.dot(s)) / (2.0 * pi);
-  const auto place = [](double fraction, std::uint32_t count) {
-    return std::min(count - 1, static_cast<std::uint32_t>(std::max(0.0, fraction * count)));
-  };
-  return place(along, surface.patches[0]) * surface.patches[1] +
-         place(angle < 0.0 ? angle + 1.0 : angle, surface.patches[1]);
+  if (patch_count(surface) == 1) return 0;
+  return std::visit([&](const auto& s) { return patch_of(s, surface.patches, point); },
+                    surface.shape);
 }
 
 std::vector<double> patch_temperatures(const Case& c, const Nodes& nodes, const WallNodes& walls) {

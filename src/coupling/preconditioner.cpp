@@ -21,7 +21,7 @@ Eigen::Matrix<double, 3, 2> gas_slopes(const Linearisation& J, const ReactionSlo
 Preconditioner::Preconditioner(const Linearisation& J, double gamma) : gamma_(gamma) {
   factor_particles(J);
   factor_walls(J);
-  if (J.system->bodies() > 0) factor_gas(J);
+  if (J.system->zones() > 0) factor_gas(J);
 }
 
 void Preconditioner::factor_particles(const Linearisation& J) {
@@ -38,8 +38,8 @@ void Preconditioner::factor_particles(const Linearisation& J) {
     // Rows: H' and delta' by (H, delta).
     const double hh = 1.0 + gamma_ * (loss + by_H * r.oxygen_heat + warming);
     const double hd = gamma_ * (by_delta * r.oxygen_heat - (loss + warming) * r.delta_slope);
-    const double dh = -gamma_ * 2.0 / r.iron * by_H;
-    const double dd = 1.0 - gamma_ * 2.0 / r.iron * by_delta;
+    const double dh = -gamma_ * 2.0 / r.formula_units * by_H;
+    const double dd = 1.0 - gamma_ * 2.0 / r.formula_units * by_delta;
     const double det = hh * dd - hd * dh;
     blocks_[k] = {dd / det, -hd / det, -dh / det, hh / det};
   });
@@ -68,26 +68,26 @@ void Preconditioner::factor_walls(const Linearisation& J) {
 }
 
 void Preconditioner::factor_gas(const Linearisation& J) {
-  const std::size_t bodies = J.system->bodies();
+  const std::size_t zones = J.system->zones();
   Eigen::MatrixXd schur =
       Eigen::MatrixXd::Identity(J.gas.rates.rows(), J.gas.rates.cols()) - gamma_ * gas_by_gas(J);
   // What the granules reply to a pressure.
   const auto answer =
-      parallel_bins(J.reactions.size(), 3 * bodies, [&](std::size_t k, std::vector<double>& sums) {
+      parallel_bins(J.reactions.size(), 3 * zones, [&](std::size_t k, std::vector<double>& sums) {
         const ReactionSlopes& r = J.reactions[k];
         const Eigen::Vector2d push(gamma_ * r.by_pressure * r.oxygen_heat,
-                                   -gamma_ * 2.0 / r.iron * r.by_pressure);
+                                   -gamma_ * 2.0 / r.formula_units * r.by_pressure);
         const Block& b = blocks_[k];
         const Eigen::Vector2d reply(b.a * push[0] + b.b * push[1], b.c * push[0] + b.d * push[1]);
         const Vec3 given = gas_slopes(J, r) * reply;
         for (std::size_t row = 0; row < 3; ++row)
-          sums[3 * r.body + row] += given[static_cast<Eigen::Index>(row)];
+          sums[3 * r.zone + row] += given[static_cast<Eigen::Index>(row)];
       });
-  for (std::size_t body = 0; body < bodies; ++body) {
-    const auto first = static_cast<Eigen::Index>(3 * body);
+  for (std::size_t zone = 0; zone < zones; ++zone) {
+    const auto first = static_cast<Eigen::Index>(3 * zone);
     schur.block<3, 3>(first, first) +=
-        gamma_ * Vec3(answer[3 * body], answer[3 * body + 1], answer[3 * body + 2]) *
-        J.gas.pressure[body].transpose();
+        gamma_ * Vec3(answer[3 * zone], answer[3 * zone + 1], answer[3 * zone + 2]) *
+        J.gas.pressure[zone].transpose();
   }
   gas_.compute(schur);
 }
@@ -98,7 +98,7 @@ Eigen::VectorXd Preconditioner::solve_gas(const Linearisation& J, std::span<cons
   const std::size_t delta = system.delta_begin(), gas = system.gas_begin();
   Eigen::VectorXd dgas = gas_part(system, r);
   const auto given = parallel_bins(
-      J.reactions.size(), 3 * system.bodies(), [&](std::size_t k, std::vector<double>& sums) {
+      J.reactions.size(), 3 * system.zones(), [&](std::size_t k, std::vector<double>& sums) {
         const ReactionSlopes& grain = J.reactions[k];
         const Block& b = blocks_[k];
         const double h = r[grain.id], d = r[delta + k];
@@ -106,7 +106,7 @@ Eigen::VectorXd Preconditioner::solve_gas(const Linearisation& J, std::span<cons
         z[delta + k] = b.c * h + b.d * d;
         const Vec3 part = gas_slopes(J, grain) * Eigen::Vector2d(z[grain.id], z[delta + k]);
         for (std::size_t row = 0; row < 3; ++row)
-          sums[3 * grain.body + row] += part[static_cast<Eigen::Index>(row)];
+          sums[3 * grain.zone + row] += part[static_cast<Eigen::Index>(row)];
       });
   for (std::size_t k = 0; k < given.size(); ++k)
     dgas[static_cast<Eigen::Index>(k)] += gamma_ * given[k];
@@ -142,14 +142,14 @@ void Preconditioner::solve(const Linearisation& J, std::span<const double> r,
   parallel_for(particle_pivot_.size(),
                [&](std::size_t id) { z[id] = r[id] / particle_pivot_[id]; });
   std::vector<double> pressure;
-  if (J.system->bodies() > 0) pressure = pressure_changes(J.gas, solve_gas(J, r, z));
+  if (J.system->zones() > 0) pressure = pressure_changes(J.gas, solve_gas(J, r, z));
   parallel_for(J.reactions.size(), [&](std::size_t k) {
     const ReactionSlopes& grain = J.reactions[k];
     const Block& b = blocks_[k];
     const double push =  // [mol/s] released by the change of pressure
-        grain.body == System::no_body ? 0.0 : grain.by_pressure * pressure[grain.body];
+        grain.zone == System::open_air ? 0.0 : grain.by_pressure * pressure[grain.zone];
     const double h = r[grain.id] - gamma_ * push * grain.oxygen_heat;
-    const double d = r[delta + k] + gamma_ * 2.0 / grain.iron * push;
+    const double d = r[delta + k] + gamma_ * 2.0 / grain.formula_units * push;
     z[grain.id] = b.a * h + b.b * d;
     z[delta + k] = b.c * h + b.d * d;
   });

@@ -10,7 +10,7 @@ namespace pmr::coupling {
 
 // Keeps, per particle, the 2 x 2 block of (enthalpy, delta) with the diagonal of the heat network,
 // per wall its tridiagonal column, and couples the gas to every particle by a Schur complement of
-// three rows a body of gas: the pressure answers all granules at once. Of the films between pores
+// three rows a gas zone: the pressure answers all granules at once. Of the films between pores
 // and particles it keeps what the gas feels (theory 9.6).
 class Preconditioner {
  public:

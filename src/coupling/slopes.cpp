@@ -61,43 +61,43 @@ std::vector<ReactionSlopes> reaction_slopes(const System& system, std::span<cons
                     oxygen.enthalpy,
                     oxygen.heat_capacity,
                     chemistry::enthalpy_bond_slope(system.solid[grain.id], T, at.bond[k]),
-                    grain.iron,
+                    grain.formula_units,
                     grain.id,
-                    system.body_of(grain.id)};
+                    system.zone_of(grain.id)};
   });
   return reactions;
 }
 
 Eigen::VectorXd gas_part(const System& system, std::span<const double> v) {
   return Eigen::Map<const Eigen::VectorXd>(v.data() + system.gas_begin(),
-                                           static_cast<Eigen::Index>(3 * system.bodies()));
+                                           static_cast<Eigen::Index>(3 * system.zones()));
 }
 
 GasSlopes::GasSlopes(const System& system, double t, std::span<const double> y)
-    : temperature(system.bodies(), Vec3::Zero()), pressure(system.bodies(), Vec3::Zero()) {
-  const std::size_t bodies = system.bodies();
-  const auto size = static_cast<Eigen::Index>(3 * bodies);
+    : temperature(system.zones(), Vec3::Zero()), pressure(system.zones(), Vec3::Zero()) {
+  const std::size_t zones = system.zones();
+  const auto size = static_cast<Eigen::Index>(3 * zones);
   rates = Eigen::MatrixXd::Zero(size, size);
-  if (bodies == 0) return;
+  if (zones == 0) return;
   const Eigen::VectorXd gas = gas_part(system, y);
-  const std::vector<double> T_of = gas_rates(system, t, {gas.data(), 3 * bodies}).body_temperature;
+  const std::vector<double> T_of = gas_rates(system, t, {gas.data(), 3 * zones}).zone_temperature;
   const auto rates_at = [&](const Eigen::VectorXd& shifted) {
-    const auto rate = gas_rates(system, t, {shifted.data(), 3 * bodies}).rate;
+    const auto rate = gas_rates(system, t, {shifted.data(), 3 * zones}).rate;
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(rate.data(), size));
   };
-  for (std::size_t body = 0; body < bodies; ++body) {
-    const auto first = static_cast<Eigen::Index>(3 * body);
+  for (std::size_t zone = 0; zone < zones; ++zone) {
+    const auto first = static_cast<Eigen::Index>(3 * zone);
     const chemistry::GasAmount amount{gas[first], gas[first + 1]};
-    const double T = T_of[body], total = chemistry::total(amount);
+    const double T = T_of[zone], total = chemistry::total(amount);
     const double capacity = chemistry::heat_capacity_constant_volume(amount, T);
     const double volume =
-        body < system.pores.layers.size() ? system.pores.layers[body].volume : system.free_volume;
-    temperature[body] = Vec3(-chemistry::internal_energy({1.0, 0.0}, T),
+        zone < system.pores.layers.size() ? system.pores.layers[zone].volume : system.free_volume;
+    temperature[zone] = Vec3(-chemistry::internal_energy({1.0, 0.0}, T),
                              -chemistry::internal_energy({0.0, 1.0}, T), 1.0) /
                         capacity;
-    pressure[body] = gas[first] * temperature[body];
-    pressure[body][0] += T;
-    pressure[body] *= gas_constant / volume;
+    pressure[zone] = gas[first] * temperature[zone];
+    pressure[zone][0] += T;
+    pressure[zone] *= gas_constant / volume;
     const double moles = 1e-7 * total;
     const Vec3 step(moles, moles, moles * capacity * T / total);
     for (Eigen::Index k = 0; k < 3; ++k) {

@@ -49,9 +49,9 @@ struct ReactionSlopes {
   double release, by_T, by_delta, by_pressure;  // n, dn/dT, dn/d(delta), dn/dp
   double oxygen_heat, oxygen_capacity;          // h_O2 [J/mol], c_O2 [J/mol/K]
   double delta_slope;                           // dH/d(delta) at constant T [J]
-  double iron;                                  // [mol]
+  double formula_units;                         // [mol]
   std::uint32_t id;
-  std::size_t body;  // of gas around it
+  std::size_t zone;  // of gas around it
 };
 std::vector<ReactionSlopes> reaction_slopes(const System& system, std::span<const double> y,
                                             const Evaluation& at);
@@ -61,8 +61,8 @@ struct GasSlopes {
   GasSlopes(const System& system, double t, std::span<const double> y);
 
   Eigen::MatrixXd rates;          // by its unknowns, central differences of gas_rates()
-  std::vector<Vec3> temperature;  // by body: dT/d(n_O2, n_N2, U)
-  std::vector<Vec3> pressure;     // by body: dpO2/d(n_O2, n_N2, U)
+  std::vector<Vec3> temperature;  // by zone: dT/d(n_O2, n_N2, U)
+  std::vector<Vec3> pressure;     // by zone: dpO2/d(n_O2, n_N2, U)
 };
 
 // The gas' unknowns among all.

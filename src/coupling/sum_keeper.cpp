@@ -12,9 +12,10 @@ Sums sums(const Linearisation& J, std::span<const double> v) {
   const std::size_t delta = system.delta_begin(), gas = system.gas_begin();
   double energy = parallel_sum(J.capacity.size(), [&](std::size_t id) { return v[id]; });
   for (std::size_t cell = system.cell_begin(); cell < gas; ++cell) energy += v[cell];
-  for (std::size_t body = 0; body < system.bodies(); ++body) energy += v[gas + 3 * body + 2];
-  const double taken_out = parallel_sum(
-      J.reactions.size(), [&](std::size_t k) { return 0.5 * J.reactions[k].iron * v[delta + k]; });
+  for (std::size_t zone = 0; zone < system.zones(); ++zone) energy += v[gas + 3 * zone + 2];
+  const double taken_out = parallel_sum(J.reactions.size(), [&](std::size_t k) {
+    return 0.5 * J.reactions[k].formula_units * v[delta + k];
+  });
   return {energy, -taken_out};
 }
 
@@ -34,7 +35,7 @@ Sums sums_of_product(const Linearisation& J, const Changes& change) {
   const auto released =
       parallel_bins(J.reactions.size(), 2, [&](std::size_t k, std::vector<double>& out) {
         const Given given = given_change(J, k, change);
-        if (J.reactions[k].body == System::no_body) out[0] += given.energy;
+        if (J.reactions[k].zone == System::open_air) out[0] += given.energy;
         out[1] += given.oxygen;
       });
   const Eigen::VectorXd by_itself = J.gas.rates * change.gas;
@@ -65,8 +66,8 @@ std::vector<double> bound_oxygen(const Linearisation& J) {
 
 SumKeeper::SumKeeper(std::shared_ptr<const Linearisation> J, double gamma)
     : J_(std::move(J)), gamma_(gamma), warmth_(warmth(*J_)), bound_(bound_oxygen(*J_)) {
-  if (J_->system->bodies() > 0) {
-    const auto size = static_cast<Eigen::Index>(3 * J_->system->bodies());
+  if (J_->system->zones() > 0) {
+    const auto size = static_cast<Eigen::Index>(3 * J_->system->zones());
     gas_rows_.compute(Eigen::MatrixXd::Identity(size, size) - gamma * gas_by_gas(*J_));
   }
   const std::vector<double> nothing(warmth_.size(), 0.0);
@@ -84,7 +85,7 @@ SumKeeper::Sums SumKeeper::residual(const Changes& change) const {
 Changes SumKeeper::solve_gas(std::span<const double> b, std::span<double> x) const {
   const System& system = *J_->system;
   Changes change(*J_, x);
-  if (system.bodies() == 0) return change;
+  if (system.zones() == 0) return change;
   const Eigen::VectorXd missing =
       gas_part(system, b) - (change.gas - gamma_ * gas_product(*J_, change));
   const Eigen::VectorXd more = gas_rows_.solve(missing);

@@ -57,7 +57,8 @@ void list_particles(const Case& c, const State& state, System& system) {
     if (i == System::no_reactant || !system.solid[node].material->redox) continue;
     const double r = p.radius[i];
     system.reactant_of[node] = static_cast<std::uint32_t>(system.reactants.size());
-    system.reactants.push_back({node, 4.0 / 3.0 * pi * r * r * r / parts, p.iron[i] / parts, r});
+    system.reactants.push_back(
+        {node, 4.0 / 3.0 * pi * r * r * r / parts, p.formula_units[i] / parts, r});
   }
 }
 
@@ -89,7 +90,7 @@ void list_profiles(const Case& c, const Outlook& outlook, System& system) {
 System assemble_system(const Case& c, const Nodes& nodes, const State& state,
                        const Outlook& outlook, std::vector<HeatLink> links, PoreSpace pores) {
   System system;
-  system.kase = &c;
+  system.setup = &c;
   system.nodes = &nodes;
   if (state.exchange.factor.rows() > 0) system.exchange = RoundedRows(state.exchange.factor);
   system.conductance = symmetric_rows(links, nodes.count());

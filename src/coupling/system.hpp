@@ -2,7 +2,7 @@
 // interval, where each unknown stands, and the physics of its right-hand side.
 //
 // Unknowns y: enthalpy of each solid node [J], delta of each that reacts [1], energy of each
-// wall cell [J], and of each body of gas n_O2 [mol], n_N2 [mol], U [J]: the layers of the bed's
+// wall cell [J], and of each gas zone n_O2 [mol], n_N2 [mol], U [J]: the layers of the bed's
 // pores where they are resolved, then the chamber once it is closed. With energies and moles as
 // unknowns, the books are linear invariants of the system, which BDF keeps.
 #pragma once
@@ -23,9 +23,9 @@ namespace pmr::coupling {
 // A particle, or a shell of one, that gives off oxygen.
 struct Reactant {
   Node id;
-  double volume;  // [m3]
-  double iron;    // [mol]
-  double radius;  // [m] of the particle
+  double volume;         // [m3]
+  double formula_units;  // [mol]
+  double radius;         // [m] of the particle
 };
 
 // A surface patch with a transient profile.
@@ -39,7 +39,7 @@ struct WallProfile {
 };
 
 struct System {
-  const Case* kase;
+  const Case* setup;
   const Nodes* nodes;
   RoundedRows exchange;                    // [m2] radiation; empty when off
   std::vector<HeatLink> links;             // [W/K]
@@ -63,15 +63,15 @@ struct System {
   std::size_t delta_begin() const { return solid.size(); }
   std::size_t cell_begin() const { return delta_begin() + reactants.size(); }
   std::size_t gas_begin() const { return cell_begin() + nodes->cells; }
-  std::size_t bodies() const { return pores.layers.size() + (closed ? 1 : 0); }  // of gas
+  std::size_t zones() const { return pores.layers.size() + (closed ? 1 : 0); }  // of gas
   std::size_t chamber_begin() const { return gas_begin() + 3 * pores.layers.size(); }
-  std::size_t size() const { return gas_begin() + 3 * bodies(); }
-  // The body of gas around a solid node; `no_body`: open air.
-  std::size_t body_of(Node node) const {
+  std::size_t size() const { return gas_begin() + 3 * zones(); }
+  // The gas zone around a solid node; `open_air`: open air.
+  std::size_t zone_of(Node node) const {
     if (pores.is_resolved()) return pores.layer_of[node % nodes->particles];
-    return closed ? 0 : no_body;
+    return closed ? 0 : open_air;
   }
-  static constexpr std::size_t no_body = ~std::size_t{0};
+  static constexpr std::size_t open_air = ~std::size_t{0};
 };
 
 // delta [1] of a particle: an unknown if it reacts, else what it was.
@@ -95,8 +95,8 @@ struct GasRates {
   double oxygen_to_air, nitrogen_to_air;          // [mol/s] into open air or out by the vent
   double energy_out, energy_in;                   // [W] with all of them
   double pump_power;                              // [W]
-  std::vector<double> body_temperature;           // [K] by body of gas
-  std::vector<double> body_oxygen_pressure;       // [Pa] likewise
+  std::vector<double> zone_temperature;           // [K] by gas zone
+  std::vector<double> zone_oxygen_pressure;       // [Pa] likewise
   std::vector<double> rate;                       // d(n_O2, n_N2, U)/dt of each
 };
 GasRates gas_rates(const System& system, double t, std::span<const double> gas);
@@ -112,8 +112,8 @@ struct Evaluation {
   std::vector<double> bond;              // [J/mol O] reduction enthalpy of each reactant
   GasRates gas{};
 
-  double oxygen_pressure(std::size_t body) const {  // [Pa]
-    return body == System::no_body ? gas.oxygen_pressure : gas.body_oxygen_pressure[body];
+  double oxygen_pressure(std::size_t zone) const {  // [Pa]
+    return zone == System::open_air ? gas.oxygen_pressure : gas.zone_oxygen_pressure[zone];
   }
 };
 
@@ -131,8 +131,8 @@ inline chemistry::RateState rate_state(const System& system, std::span<const dou
   const Reactant& grain = system.reactants[k];
   return {at.temperature[grain.id],
           y[system.delta_begin() + k],
-          at.oxygen_pressure(system.body_of(grain.id)),
-          grain.iron / grain.volume,
+          at.oxygen_pressure(system.zone_of(grain.id)),
+          grain.formula_units / grain.volume,
           grain.radius,
           at.bond[k]};
 }

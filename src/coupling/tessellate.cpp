@@ -24,7 +24,15 @@ Polygon cut(const Polygon& polygon, const Side& side) {
   return kept;
 }
 
-std::vector<FlatTriangle> triangles_of(const Plane& plane, const Vec3& low, const Vec3& high) {
+// What a shape is cut by.
+struct Cutting {
+  Vec3 low, high;                        // [m] an endless shape ends at this box
+  std::array<std::uint32_t, 2> patches;  // of a turned shape: along the segment, round the axis
+  std::uint32_t least_segments;          // round the axis
+};
+
+std::vector<FlatTriangle> triangles_of(const Plane& plane, const Cutting& by) {
+  const Vec3 &low = by.low, &high = by.high;
   const Vec3 s = first_direction(plane.normal);
   const Vec3 t = plane.normal.cross(s);
   const Vec3 middle = 0.5 * (low + high);
@@ -55,9 +63,9 @@ std::vector<Vec3> corners_round(const Vec3& axis, std::uint32_t segments) {
   return corners;
 }
 
-std::vector<FlatTriangle> triangles_of(const Revolved& shape, std::array<std::uint32_t, 2> patches,
-                                       std::uint32_t least_segments) {
-  const std::uint32_t per_patch = (least_segments + patches[1] - 1) / patches[1];
+std::vector<FlatTriangle> triangles_of(const Revolved& shape, const Cutting& by) {
+  const auto& patches = by.patches;
+  const std::uint32_t per_patch = (by.least_segments + patches[1] - 1) / patches[1];
   const std::uint32_t segments = per_patch * patches[1];
   const std::vector<Vec3> corners = corners_round(shape.axis, segments);
   const auto at = [&](std::uint32_t ring, std::uint32_t k) -> Vec3 {
@@ -83,16 +91,20 @@ std::vector<FlatTriangle> triangles_of(const Revolved& shape, std::array<std::ui
   return triangles;
 }
 
-std::vector<FlatTriangle> triangles_of(const Facet& facet) {
+std::vector<FlatTriangle> triangles_of(const Facet& facet, const Cutting&) {
   std::vector<FlatTriangle> triangles;
   for (const auto& corner : facet.triangles) triangles.push_back({corner, 0});
   return triangles;
 }
 
+bool has_patches(const Plane&) { return false; }
+bool has_patches(const Revolved&) { return true; }
+bool has_patches(const Facet&) { return false; }
+
 }  // namespace
 
 std::uint32_t patch_count(const Surface& surface) {
-  const bool divides = std::holds_alternative<Revolved>(surface.shape);
+  const bool divides = std::visit([](const auto& s) { return has_patches(s); }, surface.shape);
   return divides ? surface.patches[0] * surface.patches[1] : 1;
 }
 
@@ -104,11 +116,8 @@ Vec3 first_direction(const Vec3& axis) {
 
 std::vector<FlatTriangle> tessellate(const Surface& surface, const Vec3& domain_low,
                                      const Vec3& domain_high, int segments) {
-  if (const auto* plane = std::get_if<Plane>(&surface.shape))
-    return triangles_of(*plane, domain_low, domain_high);
-  if (const auto* revolved = std::get_if<Revolved>(&surface.shape))
-    return triangles_of(*revolved, surface.patches, static_cast<std::uint32_t>(segments));
-  return triangles_of(std::get<Facet>(surface.shape));
+  const Cutting by{domain_low, domain_high, surface.patches, static_cast<std::uint32_t>(segments)};
+  return std::visit([&](const auto& s) { return triangles_of(s, by); }, surface.shape);
 }
 
 std::vector<double> patch_areas(const std::vector<FlatTriangle>& triangles, std::uint32_t patches) {

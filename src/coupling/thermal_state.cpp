@@ -76,7 +76,7 @@ Holdings holdings(const Case& c, const Particles& p) {
   auto sums = parallel_bins(p.size(), 2 * species, [&](std::size_t i, std::vector<double>& sum) {
     sum[p.species[i]] += p.enthalpy[i];
     if (const auto& redox = material_of(c, p, i).redox)
-      sum[species + p.species[i]] += p.iron[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]);
+      sum[species + p.species[i]] += p.formula_units[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]);
   });
   const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(species);
   return {{sums.begin(), middle}, {middle, sums.end()}};
@@ -92,7 +92,8 @@ double initial_delta(const Case& c, const Species& species) {
 }
 
 chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t i) {
-  return chemistry::solid_of(material_of(c, particles, i), particles.mass[i], particles.iron[i]);
+  return chemistry::solid_of(material_of(c, particles, i), particles.mass[i],
+                             particles.formula_units[i]);
 }
 
 void begin_particles(const Case& c, const std::vector<double>& delta, Particles& p) {
@@ -101,9 +102,9 @@ void begin_particles(const Case& c, const std::vector<double>& delta, Particles&
     p.delta[i] = delta[p.species[i]];
     if (material.redox) {
       const Redox& redox = *material.redox;
-      p.iron[i] = p.mass[i] / chemistry::molar_mass(redox, redox.density_delta);
+      p.formula_units[i] = p.mass[i] / chemistry::molar_mass(redox, redox.density_delta);
       if (!c.models.mechanics_only)
-        p.mass[i] = p.iron[i] * chemistry::molar_mass(redox, p.delta[i]);
+        p.mass[i] = p.formula_units[i] * chemistry::molar_mass(redox, p.delta[i]);
     }
     p.enthalpy[i] = chemistry::enthalpy(solid_of(c, p, i), p.temperature[i], p.delta[i]);
   }
@@ -130,7 +131,7 @@ void renew_masses(const Case& c, Particles& particles) {
     const Material& material = material_of(c, particles, i);
     if (material.redox)
       particles.mass[i] =
-          particles.iron[i] * chemistry::molar_mass(*material.redox, particles.delta[i]);
+          particles.formula_units[i] * chemistry::molar_mass(*material.redox, particles.delta[i]);
   });
 }
 
@@ -148,7 +149,7 @@ double stored_energy(const State& state) {
 double bound_oxygen(const Case& c, const Particles& p) {
   return parallel_sum(p.size(), [&](std::size_t i) {
     const auto& redox = material_of(c, p, i).redox;
-    return redox ? p.iron[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]) : 0.0;
+    return redox ? p.formula_units[i] * 0.5 * (redox->oxygen_atoms - p.delta[i]) : 0.0;
   });
 }
 

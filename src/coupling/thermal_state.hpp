@@ -10,14 +10,14 @@ namespace pmr::coupling {
 // Initial delta of a species [1]: as given, or equilibrium (chemistry/redox.hpp); 0 if inert.
 double initial_delta(const Case& c, const Species& species);
 
-// Fills iron, delta and enthalpy of fresh particles, those that wait to be poured too, whose
-// temperatures are set, and the walls' profiles; writes State::opening.
+// Fills formula units, delta and enthalpy of fresh particles, those that wait to be poured too,
+// whose temperatures are set, and the walls' profiles; writes State::opening.
 void begin_thermal_state(const Case& c, const Nodes& nodes, State& state);
 
 // The solid of particle at index i.
 chemistry::Solid solid_of(const Case& c, const Particles& particles, std::size_t i);
 
-// Mass of a particle [kg] from its iron and delta; inert particles keep theirs.
+// Mass of a particle [kg] from its formula units and delta; inert particles keep theirs.
 void renew_masses(const Case& c, Particles& particles);
 
 // What the particles of each species hold.

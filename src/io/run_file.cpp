@@ -15,7 +15,7 @@ namespace pmr::io {
 namespace {
 
 constexpr const char* format = "pmr-run";
-constexpr int version = 1;  // of the layout in docs/file-formats.md
+constexpr int version = 2;  // of the layout in docs/file-formats.md
 
 std::filesystem::path run_path(const std::filesystem::path& dir) { return dir / "run.h5"; }
 

@@ -70,7 +70,7 @@ Image develop(const std::vector<Rgb>& samples, std::size_t width, std::size_t he
 }
 
 bool shows_delta(const Particles& p, std::size_t i, std::optional<std::size_t> species) {
-  return p.iron[i] > 0.0 && (!species || p.species[i] == *species);
+  return p.formula_units[i] > 0.0 && (!species || p.species[i] == *species);
 }
 
 }  // namespace

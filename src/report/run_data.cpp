@@ -38,7 +38,7 @@ void add_particles(const io::Snapshot& snapshot, RunData& run) {
     totals.mass += p.mass[i];
     totals.first_temperature += p.temperature[i];
     totals.first_enthalpy += p.enthalpy[i];
-    totals.is_reactive = totals.is_reactive || p.iron[i] > 0.0;
+    totals.is_reactive = totals.is_reactive || p.formula_units[i] > 0.0;
   }
   for (SpeciesTotals& totals : run.species)
     if (totals.count > 0) totals.first_temperature /= static_cast<double>(totals.count);

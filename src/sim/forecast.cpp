@@ -74,19 +74,26 @@ double tallest_charge(const Case& c) {
   return height;
 }
 
+// Where a wall's lowest points may be: those that a charge may come down to.
+std::vector<Vec3> low_points(const Plane& plane, const Vec3& up) {
+  if (up.dot(plane.normal) > 0.5) return {plane.point};
+  return {};  // a side or a lid
+}
+std::vector<Vec3> low_points(const Revolved& turned, const Vec3&) {
+  return {turned.origin + turned.z0 * turned.axis, turned.origin + turned.z1 * turned.axis};
+}
+std::vector<Vec3> low_points(const Facet& facet, const Vec3&) {
+  std::vector<Vec3> corners;
+  for (const auto& triangle : facet.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
 void add_walls(const Case& c, const Vec3& up, Reach& reach) {
-  const auto add = [&](const Vec3& point) { reach.low = std::min(reach.low, up.dot(point)); };
   for (const Surface& surface : c.walls.surfaces) {
     if (!surface.holds_particles) continue;
-    if (const auto* plane = std::get_if<Plane>(&surface.shape)) {
-      if (up.dot(plane->normal) > 0.5) add(plane->point);
-    } else if (const auto* turned = std::get_if<Revolved>(&surface.shape)) {
-      add(turned->origin + turned->z0 * turned->axis);
-      add(turned->origin + turned->z1 * turned->axis);
-    } else if (const auto* facet = std::get_if<Facet>(&surface.shape)) {
-      for (const auto& triangle : facet->triangles)
-        for (const Vec3& corner : triangle) add(corner);
-    }
+    const auto points = std::visit([&](const auto& s) { return low_points(s, up); }, surface.shape);
+    for (const Vec3& point : points) reach.low = std::min(reach.low, up.dot(point));
   }
 }
 

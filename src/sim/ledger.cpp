@@ -24,9 +24,9 @@ double sum_of(const std::vector<double>& values) {
 // How many particles hold oxygen [1], one at least. What each leaves is of either sign, so that
 // their sum grows with the root of their number alone.
 double grains(const State& state) {
-  const auto holds_oxygen = [](double iron) { return iron > 0.0; };
+  const auto holds_oxygen = [](double formula_units) { return formula_units > 0.0; };
   const auto count = [&](const Particles& p) {
-    return std::count_if(p.iron.begin(), p.iron.end(), holds_oxygen);
+    return std::count_if(p.formula_units.begin(), p.formula_units.end(), holds_oxygen);
   };
   const auto all = count(state.particles) + count(state.waiting);
   return std::max(1.0, static_cast<double>(all));

@@ -23,14 +23,14 @@ Reacted react_of(const SummaryInput& in, std::size_t s) {
   const Case& c = in.setup;
   const Redox& redox = *c.materials.list[c.species[s].material].redox;
   Reacted one{coupling::initial_delta(c, c.species[s]), 0.0, 0.0, {}, 0.0, 0.0, 0.0};
-  double iron = 0.0;  // [mol]
+  double formula_units = 0.0;  // [mol]
   const Particles& p = in.state.particles;
   for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.species[i] == s) iron += p.iron[i];
-  one.charge = iron * chemistry::molar_mass(redox, one.initial);
+    if (p.species[i] == s) formula_units += p.formula_units[i];
+  one.charge = formula_units * chemistry::molar_mass(redox, one.initial);
   one.delta = instruments::species_figures(p, static_cast<SpeciesIndex>(s)).delta;
-  one.room = 0.5 * iron * (redox.equilibrium.delta_limit - one.initial);
-  one.gain = 0.5 * iron * (one.delta.mean - one.initial);
+  one.room = 0.5 * formula_units * (redox.equilibrium.delta_limit - one.initial);
+  one.gain = 0.5 * formula_units * (one.delta.mean - one.initial);
   one.released = in.state.breakdown.released[s];
   one.reaction = in.state.breakdown.reaction[s];
   return one;

@@ -36,7 +36,7 @@ std::vector<Charge> charges(const Case& c, const State& state) {
   const Particles& p = state.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     Charge& charge = all[p.species[i]];
-    charge.solid.amount += charge.redox() ? p.iron[i] : p.mass[i];
+    charge.solid.amount += charge.redox() ? p.formula_units[i] : p.mass[i];
   }
   return all;
 }

@@ -24,10 +24,10 @@ constexpr double porosity = 0.41, tortuosity = 1.5;  // [1]
 
 // Pure oxygen at T over a column of layers.
 struct Column {
-  explicit Column(double capillary) : kase(inert_case(constant_solid(1e3, 1e3, 1.0), 1e-3)) {
-    kase.chamber = ChamberCase{0.0, 1.0, top, 1.0, T, 0.0, std::nullopt, std::nullopt, 0.0};
+  explicit Column(double capillary) : setup(inert_case(constant_solid(1e3, 1e3, 1.0), 1e-3)) {
+    setup.chamber = ChamberCase{0.0, 1.0, top, 1.0, T, 0.0, std::nullopt, std::nullopt, 0.0};
     const double each = height / layers;
-    system.kase = &kase;
+    system.setup = &setup;
     system.closed = false;
     system.pores.layers.assign(layers, {area, each, porosity * area * each, permeability, capillary,
                                         porosity / tortuosity, 0.0});
@@ -64,7 +64,7 @@ struct Column {
     const double p0 = pressure(moles[0]), p1 = pressure(moles[1]);
     return std::sqrt(p0 * p0 + (p0 * p0 - p1 * p1) / 8.0);
   }
-  Case kase;
+  Case setup;
   coupling::System system{};
 };
 

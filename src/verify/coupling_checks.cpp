@@ -245,7 +245,7 @@ Vec3 sums_of(const coupling::System& system, const std::vector<double>& v) {
   Vec3 sums = Vec3::Zero();
   for (std::size_t k = 0; k < system.solid.size(); ++k) sums[0] += v[k];
   for (std::size_t k = 0; k < system.reactants.size(); ++k)
-    sums[1] -= 0.5 * system.reactants[k].iron * v[system.delta_begin() + k];
+    sums[1] -= 0.5 * system.reactants[k].formula_units * v[system.delta_begin() + k];
   for (std::size_t first = system.gas_begin(); first < system.size(); first += 3) {
     sums[0] += v[first + 2];
     sums[2] += v[first];
@@ -280,7 +280,7 @@ Check kept_sums(GasAround around, const std::string& name) {
     const Vec3 wanted = sums_of(system, b), missing = wanted - sums_of(system, held);
     const Vec3 scale = system.pores.is_resolved() ? sums_of(system, gross) : wanted;
     double worst = 0.0;
-    for (Eigen::Index k = 0; k < (system.bodies() > 0 ? 3 : 2); ++k)
+    for (Eigen::Index k = 0; k < (system.zones() > 0 ? 3 : 2); ++k)
       worst = std::max(worst, std::abs(missing[k] / scale[k]));
     return worst;
   };

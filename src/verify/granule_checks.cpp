@@ -40,7 +40,8 @@ Case in_oxygen() {
   Case c = redox_case(0.735e-3);
   std::get<PowerRate>(c.materials.list[0].redox->rate).factor = 1.0;
   c.species[0].initial_delta = start;
-  c.materials.list[0].redox->density_delta = start;  // mass and iron as the lone rate has them
+  c.materials.list[0].redox->density_delta =
+      start;  // mass and formula units as the lone rate has them
   c.chamber = ChamberCase{1e9, 1.0, low, 1.0, T, 0.0, std::nullopt, std::nullopt, 0.0};
   return c;
 }

@@ -87,9 +87,9 @@ TEST_CASE("a pressure just below zero, as integrators try, is no fault") {
   CHECK(std::isfinite(oxygen_rate(with_exponent(0.5), {900.0, 0.33, -1e-9})));
 }
 
-TEST_CASE("delta rises by two for each oxygen molecule per iron") {
+TEST_CASE("delta rises by two for each oxygen molecule per formula unit") {
   const Material ferrite = verify::reference_ferrite();
   const RateState at{900.0, 0.33, 1000.0};
-  CHECK(delta_rate(ferrite, at) * iron_concentration(ferrite) ==
+  CHECK(delta_rate(ferrite, at) * formula_unit_concentration(ferrite) ==
         Approx(2.0 * oxygen_rate(*ferrite.redox, at)).epsilon(1e-15));
 }

@@ -72,9 +72,9 @@ TEST_CASE("the range of the fit is known") {
   CHECK_FALSE(is_within_fit(eq, 1000.0, 0.35, 1.0));
 }
 
-TEST_CASE("iron per volume times molar mass is the density") {
+TEST_CASE("formula unit per volume times molar mass is the density") {
   const Material ferrite = verify::reference_ferrite();
   const double mass = molar_mass(*ferrite.redox, ferrite.redox->density_delta);
-  CHECK(iron_concentration(ferrite) * mass == Approx(ferrite.density).epsilon(1e-15));
-  CHECK_THROWS_AS(iron_concentration(verify::reference_alumina()), std::logic_error);
+  CHECK(formula_unit_concentration(ferrite) * mass == Approx(ferrite.density).epsilon(1e-15));
+  CHECK_THROWS_AS(formula_unit_concentration(verify::reference_alumina()), std::logic_error);
 }

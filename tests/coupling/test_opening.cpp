@@ -24,15 +24,15 @@ Particles opened(double density_delta, bool mechanics_only) {
 
 }  // namespace
 
-TEST_CASE("iron per volume follows from the density and the delta that it is stated at") {
+TEST_CASE("formula unit per volume follows from the density and the delta that it is stated at") {
   const Material ferrite = verify::redox_case(radius).materials.list[0];
   const double volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
   for (const double stated_at : {0.0, 0.1665, 0.3, 0.5}) {
     const Particles p = opened(stated_at, false);
     // docs/theory.md 7.4, with 191.462 - 15.999 delta g/mol
-    const double iron = ferrite.density * volume / (0.191462 - 0.015999 * stated_at);
-    CHECK(p.iron[0] == Approx(iron).epsilon(1e-12));
-    CHECK(p.mass[0] == Approx(iron * (0.191462 - 0.015999 * 0.3)).epsilon(1e-12));
+    const double formula_units = ferrite.density * volume / (0.191462 - 0.015999 * stated_at);
+    CHECK(p.formula_units[0] == Approx(formula_units).epsilon(1e-12));
+    CHECK(p.mass[0] == Approx(formula_units * (0.191462 - 0.015999 * 0.3)).epsilon(1e-12));
   }
 }
 

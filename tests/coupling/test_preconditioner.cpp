@@ -118,10 +118,10 @@ MatrixXd temperature_slopes(const Scene& s) {
   for (const WallProfile& wall : system.profiles)
     slopes(wall.node, system.cell_begin() + wall.first_cell) =
         1.0 / (system.nodes->columns[wall.surface].capacity[0] * wall.area);
-  for (std::size_t body = 0; body < system.bodies(); ++body) {
-    const std::size_t first = system.gas_begin() + 3 * body;
-    const std::size_t row = body < layers ? nodes + body : system.nodes->gas();
-    const double T = s.at.gas.body_temperature[body];
+  for (std::size_t zone = 0; zone < system.zones(); ++zone) {
+    const std::size_t first = system.gas_begin() + 3 * zone;
+    const std::size_t row = zone < layers ? nodes + zone : system.nodes->gas();
+    const double T = s.at.gas.zone_temperature[zone];
     const double C = chemistry::heat_capacity_constant_volume({s.y[first], s.y[first + 1]}, T);
     slopes(row, first) = -chemistry::internal_energy({1.0, 0.0}, T) / C;
     slopes(row, first + 1) = -chemistry::internal_energy({0.0, 1.0}, T) / C;

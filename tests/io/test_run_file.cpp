@@ -110,7 +110,7 @@ TEST_CASE("A snapshot keeps all bits but of velocity, spin and enthalpy, which k
   CHECK((back.time == -0.5 && back.phase == Phase::mix));
   CHECK(back.wall_temperature == written[0].wall_temperature);
   CHECK((a.id == b.id && a.species == b.species && a.radius == b.radius && a.mass == b.mass));
-  CHECK((a.position == b.position && a.iron == b.iron && a.delta == b.delta));
+  CHECK((a.position == b.position && a.formula_units == b.formula_units && a.delta == b.delta));
   CHECK(a.temperature == b.temperature);
   REQUIRE(a.velocity.size() == b.velocity.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -248,11 +248,11 @@ TEST_CASE("Foreign, cut and future files are refused with their name and what wa
   const auto path = folder.path() / "run.h5";
   {
     io::H5File file = io::H5File::modify(path);
-    io::set_format(file, "pmr-run", 2);
+    io::set_format(file, "pmr-run", 3);
     file.close();
   }
   CHECK_THROWS_WITH(io::read_header(folder.path()),
-                    Contains("run.h5: pmr-run version 1 wanted, found pmr-run version 2"));
+                    Contains("run.h5: pmr-run version 2 wanted, found pmr-run version 3"));
   CHECK_THROWS_AS(io::append_run(folder.path(), test::rows(0.0, 1), {}), StorageError);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   CHECK_THROWS_WITH(io::read_header(folder.path()), Contains("run.h5: an HDF5 file of pmr wanted"));

@@ -52,7 +52,7 @@ TEST_CASE("A sphere over a convex edge feels one contact, in a concave corner on
   auto body = add_body(convex);
   add_surface(convex, rectangle(Vec3(-0.01, -0.01, 0), Vec3(0.01, 0, 0), Vec3(0, 0.02, 0)), body);
   add_surface(convex, rectangle(Vec3(0, -0.01, -0.01), Vec3(0, 0.02, 0), Vec3(0, 0, 0.01)), body);
-  CHECK(contacts_at(convex, Vec3(0.5e-3, 0, 0.6e-3)) == 1);
+  CHECK(contacts_at(convex, Vec3(0.5e-3, 0, 0.8e-3)) == 1);
   CHECK(contacts_at(convex, Vec3(0, 0, deep)) == 1);
 
   Case corner = bare_case();
@@ -232,14 +232,14 @@ TEST_CASE("At a wall the rolling spring winds by the lever arm over the centre's
   c.materials.pairs = {{.friction = 0.0, .rolling_friction = 1e6, .restitution = 1.0}};
   add_surface(c, Plane{Vec3::Zero(), Vec3::UnitZ()}, add_body(c));
   const Vec3 spin(3.0, 4.0, 0.0);  // [rad/s]
-  add_particle(c, Vec3(0, 0, 0.8 * radius), Vec3::Zero(), spin);
+  add_particle(c, Vec3(0, 0, 0.92 * radius), Vec3::Zero(), spin);
   State state = opened(c);
   run(c, state, 1);
   const Material& m = c.materials.list[0];
   const double distance = state.particles.position[0].z(), overlap = radius - distance;
   const double shear = m.young_soft / (4.0 * (2.0 - m.poisson_soft) * (1.0 + m.poisson_soft));
   const double k_t = 8.0 * shear * std::sqrt(radius * overlap);
-  const double gain = (radius - 0.5 * overlap) / distance;  // 1.12 here
+  const double gain = (radius - 0.5 * overlap) / distance;  // 1.04 here
   REQUIRE(state.wall_contacts.rolling.size() == 1);
   const Vec3 expected = k_t * radius * radius * 1e-5 * gain * spin;  // a step of 10 us
   CHECK((state.wall_contacts.rolling[0] - expected).norm() < 1e-9 * expected.norm());

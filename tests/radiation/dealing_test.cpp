@@ -39,7 +39,8 @@ TEST_CASE(
     CHECK(sum_of(emissions, dealing) <= 1e7);
     CHECK(sum_of(emissions, dealing) > 0.999e7);
     CHECK(dealing.sent(least) == 320.0);
-    CHECK(dealing.wanted(0.16) > 10.0 * dealing.sent(0.16));
+    CHECK(dealing.wanted(0.16) == Approx(320.0 * 0.16 / least));
+    CHECK(dealing.sent(0.16) == Approx((1e7 - 320.0) / 6.0).epsilon(1e-3));  // a wall of six
     emissions.pop_back();
   }
 }

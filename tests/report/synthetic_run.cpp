@@ -128,7 +128,7 @@ io::Snapshot snapshot_at(const Bed& bed, double t) {
     p.position[i] = position(bed, i, t);
     p.temperature[i] = temperature(bed, i, t);
     p.delta[i] = delta(bed, i, t);
-    p.iron[i] = is_bead ? 0.0 : p.mass[i] / 0.19;
+    p.formula_units[i] = is_bead ? 0.0 : p.mass[i] / 0.19;
     p.enthalpy[i] = p.mass[i] * (is_bead ? 1250.0 : 900.0) * (p.temperature[i] - 298.15);
   }
   snapshot.wall_temperature = {600.0, 500.0};

@@ -69,8 +69,8 @@ TEST_CASE("A grain that is small beside its walls asks for a bounded number of r
   const coupling::RayCount count = coupling::count_rays(c, c.models.radiation->rays_settled);
   CHECK(count.wanted > 1e9);
   CHECK(count.sent <= 1e7);
-  const sim::Forecast forecast = sim::forecast(c);
-  CHECK(forecast.reacting > 1.0);  // [s] of 10 million rays on one core
+  const sim::UnitCosts second_a_ray{.ray = 1.0};
+  CHECK(sim::forecast(c, second_a_ray).react.tracing == count.sent);
   State state;
   state.exchange.rays = count.sent;
   std::string all;

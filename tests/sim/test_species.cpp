@@ -54,8 +54,8 @@ std::pair<double, double> given_off(const Case& c, const Particles& p, std::size
   double oxygen = 0.0, mass = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.species[i] == s) {
-      oxygen += 0.5 * p.iron[i] * (p.delta[i] - initial);
-      mass += p.iron[i] * (redox.molar_mass - redox.atomic_oxygen * initial);
+      oxygen += 0.5 * p.formula_units[i] * (p.delta[i] - initial);
+      mass += p.formula_units[i] * (redox.molar_mass - redox.atomic_oxygen * initial);
     }
   return {oxygen, mass};
 }
@@ -123,9 +123,9 @@ TEST_CASE("An ideal reactor brings all species to one temperature, each to its o
     const double delta =
         material.redox ? chemistry::equilibrium_delta(material.redox->equilibrium, T, pressure)
                        : 0.0;
-    const auto solid = chemistry::solid_of(material, p.mass[i], p.iron[i]);
+    const auto solid = chemistry::solid_of(material, p.mass[i], p.formula_units[i]);
     rise += chemistry::enthalpy(solid, T, delta) - p.enthalpy[i];
-    oxygen += 0.5 * p.iron[i] * (delta - p.delta[i]);
+    oxygen += 0.5 * p.formula_units[i] * (delta - p.delta[i]);
   }
   rise += oxygen * chemistry::oxygen_heat(T).enthalpy;
   CHECK(std::abs(rise) < 1e-6 * state.opening.heat_content);

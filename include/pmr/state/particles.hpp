@@ -23,7 +23,7 @@ struct Particles {
   std::vector<Vec3> spin;             // [rad/s]
   std::vector<Vec3> force;            // [N] at the end of the last sub-step
   std::vector<Vec3> torque;           // [N m] likewise
-  std::vector<double> iron;           // [mol] of Fe, constant; 0 for inert particles
+  std::vector<double> formula_units;  // [mol] of oxide (of its Fe or Ce), constant; 0 if inert
   std::vector<double> delta;          // [1] oxygen non-stoichiometry; 0 for inert particles
   std::vector<double> enthalpy;       // [J] of the solid, zero of chemistry/solids.hpp
   std::vector<double> temperature;    // [K] follows from enthalpy and delta
@@ -44,7 +44,7 @@ void for_each_field(P& p, Visitor&& visit) {
   visit("spin", "rad s-1", p.spin);
   visit("force", "N", p.force);
   visit("torque", "N m", p.torque);
-  visit("iron", "mol", p.iron);
+  visit("formula_units", "mol", p.formula_units);
   visit("delta", "1", p.delta);
   visit("enthalpy", "J", p.enthalpy);
   visit("temperature", "K", p.temperature);
