@@ -282,8 +282,11 @@ OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0
 
   double t = t0, event_at = std::numeric_limits<double>::infinity();
   int flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
-  for (; flag == CV_ROOT_RETURN; flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL))
-    event_at = std::min(event_at, t);
+  if (flag == CV_ROOT_RETURN) {
+    event_at = t;  // the first alone is asked for: a zero that lasts would be an error of CVODES
+    Solver::require(CVodeRootInit(solver.get(), 0, nullptr), "CVodeRootInit");
+    flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
+  }
   if (frame.thrown) std::rethrow_exception(frame.thrown);
   if (flag < 0)
     throw NumericsError(fmt::format("heat and reaction network: {} at t = {:.6g} s; {}",

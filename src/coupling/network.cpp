@@ -176,7 +176,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   problem.weigh = [&](In now, Out weight) {
     weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
   };
-  if (system.closed && c.chamber->pump)
+  if (system.closed && c.chamber->pump && !std::isfinite(state.set_point_at))
     problem.event = [&, reached = c.chamber->pump->set_point * (1.0 + chemistry::control_band)](
                         double t, In now) {
       return gas_rates(system, t, now.subspan(system.gas_begin())).pressure - reached;

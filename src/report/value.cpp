@@ -93,7 +93,9 @@ const Value::Object& Value::members(std::string_view path) const {
 
 void Value::set(std::string key, Value value) {
   if (std::holds_alternative<std::monostate>(data)) data = Object();
-  std::get<Object>(data).push_back({std::move(key), std::move(value)});
+  auto& members = std::get<Object>(data);
+  std::erase_if(members, [&](const Member& member) { return member.key == key; });
+  members.push_back({std::move(key), std::move(value)});
 }
 
 }  // namespace pmr::report

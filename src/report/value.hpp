@@ -44,7 +44,7 @@ struct Value {
   double as_number() const;                            // NaN where it is none
   std::string as_text() const;                         // "" where it has no short text
 
-  // Appends a member to an object (a null value becomes an object).
+  // Sets a member of an object, in place of one of that name (a null value becomes an object).
   void set(std::string key, Value value);
 };
 

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double most = 2e4;    // [1] particles in the lattice: larger ones take seconds to set up
 constexpr double enough = 3e6;  // [1] particle-steps to be measured
-constexpr double few_rays = 4.0;  // [1] of each sphere
+constexpr double few_rays = 4.0;     // [1] of each sphere, at least ...
+constexpr double enough_rays = 2e5;  // [1] ... and of all, so that setting out is no matter
 
 double particles_of(const Case& c) {
   double count = static_cast<double>(c.particles.size());
@@ -94,7 +95,8 @@ void measure_heat(const Case& lattice, double count, UnitCosts& costs) {
   coupling::begin_thermal_state(lattice, nodes, state);
   Stopwatch watch;
   if (lattice.models.radiation) {
-    state.exchange = coupling::retrace(lattice, nodes, state, few_rays);
+    state.exchange =
+        coupling::retrace(lattice, nodes, state, std::max(few_rays, enough_rays / particles));
     const double seconds = watch.lap();
     if (state.exchange.rays > 0.0) costs.ray = seconds / state.exchange.rays;
   }

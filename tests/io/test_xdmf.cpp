@@ -86,7 +86,8 @@ TEST_CASE("Every particle is a cell of its own, which a dataset names") {
   const std::string text = sample_text(folder.path());
   const io::H5File run = io::H5File::open(folder.path() / "run.h5");
   const std::regex topology(
-      R"re(<Topology TopologyType="Polyvertex" NumberOfElements="(\d+)" NodesPerElement="1"><DataItem[^>]*>run\.h5:([^<]*)</DataItem></Topology>)re");
+      R"re(<Topology TopologyType="Polyvertex" NumberOfElements="(\d+)" NodesPerElement="1">)re"
+      R"re(<DataItem[^>]*>run\.h5:([^<]*)</DataItem></Topology>)re");
   std::vector<std::size_t> counts;
   for (std::sregex_iterator it(text.begin(), text.end(), topology), end; it != end; ++it) {
     const auto vertices = run.read<std::uint32_t>((*it)[2]);

@@ -20,9 +20,12 @@ const std::vector<double> measured{3.5, 3.0, 2.0, 1.0, 0.5, 0.4, 0.5};
 // Seven layers of eight sections, as the tool finds them in the small demonstrator.
 constexpr const char* homogeneity =
     R"({"homogeneity": {"sectors": 8, "lacey_index": 0.712, "layers": [
-   {"mass": 0.0052, "thickness": 0.0053, "mass_ratio": 4.28}, {"mass": 0.0053, "thickness": 0.0043, "mass_ratio": 3.21},
-   {"mass": 0.0054, "thickness": 0.0044, "mass_ratio": 1.63}, {"mass": 0.0058, "thickness": 0.0048, "mass_ratio": 0.71},
-   {"mass": 0.0053, "thickness": 0.0044, "mass_ratio": 0.32}, {"mass": 0.0052, "thickness": 0.0042, "mass_ratio": 0.23},
+   {"mass": 0.0052, "thickness": 0.0053, "mass_ratio": 4.28},
+   {"mass": 0.0053, "thickness": 0.0043, "mass_ratio": 3.21},
+   {"mass": 0.0054, "thickness": 0.0044, "mass_ratio": 1.63},
+   {"mass": 0.0058, "thickness": 0.0048, "mass_ratio": 0.71},
+   {"mass": 0.0053, "thickness": 0.0044, "mass_ratio": 0.32},
+   {"mass": 0.0052, "thickness": 0.0042, "mass_ratio": 0.23},
    {"mass": 0.0037, "thickness": 0.0031, "mass_ratio": 0.63}],
   "sections": [[5.1,4.6,4.1,3.9,4.4,3.6,4.0,4.8],[4.2,3.6,2.9,2.5,2.8,2.7,3.1,3.9],
    [2.6,2.0,1.3,1.1,1.6,1.2,1.4,2.1],[1.0,0.8,0.6,0.5,0.8,0.6,0.7,0.9],

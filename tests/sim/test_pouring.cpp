@@ -103,7 +103,8 @@ TEST_CASE("What is wrong with a source is said with its key") {
   using Catch::Contains;
   CHECK_THROWS_WITH(load("species.Al2O3.pour.mass_rate=\"1 g/s\""),
                     Contains("mass_rate or particle_rate, not both"));
-  CHECK_THROWS_WITH(load("species.Al2O3.pour.particle_rate=\"1 m\""), Contains("frequency"));
+  CHECK_THROWS_WITH(load("species.Al2O3.pour.particle_rate=\"1 m\""),
+                    Contains("wanted a number per time"));
   CHECK_THROWS_WITH(load("species.Al2O3.region={low=\"-4.5 -4.5 26 mm\",high=\"4.5 4.5 50 mm\"}"),
                     Contains("region or pour, not both"));
 }

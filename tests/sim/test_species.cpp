@@ -99,7 +99,7 @@ TEST_CASE("A bed of three reacting species tells each one's delta, oxygen, yield
   // What was charged at 900 degC and what ceria's fit does not hold for are told by name.
   const std::string warnings = end.summary["warnings"].dump();
   CHECK_THAT(warnings, Catch::Contains("of the ceria particles end outside the range"));
-  CHECK_THAT(warnings, Catch::Contains("of the fine particles end outside the range"));
+  CHECK_THAT(warnings, Catch::Contains("of the fine particles end outside the temperatures"));
 }
 
 TEST_CASE("Several reacting species may also only be mixed") {
