@@ -57,7 +57,7 @@ class Reading {
   std::set<std::string> asked_for;           // all, given or not
   std::set<std::string> motionless;          // those that move no particle
   std::map<std::string, std::string> files;  // absolute names of files
-  std::vector<std::string> warnings;              // what is taken otherwise than it is written
+  std::vector<std::string> warnings;         // what is taken otherwise than it is written
 
   void fault(const Place& place, const std::string& key, const std::string& problem);
   std::size_t faults() const { return faults_.size(); }

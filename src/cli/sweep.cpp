@@ -56,7 +56,7 @@ void print_plan(const study::Study& study, const study::Plan& plan,
   const double parallel = static_cast<double>(share.at_once) * share.threads;
   const double hours = seconds / parallel / 3600.0;
   say(fmt::format("forecast about {}\n", hours < 2.0 ? fmt::format("{:.0f} min", 60.0 * hours)
-                                                       : fmt::format("{:.1f} h", hours)));
+                                                     : fmt::format("{:.1f} h", hours)));
 }
 
 void print_results(const study::Results& results, const fs::path& folder, bool stopped) {

@@ -245,7 +245,7 @@ struct Case {
   // The text without all that moves no particle: titles, temperatures, heat, gas, chemistry,
   // instruments. Cases of equal mechanical text and equal particles mix the same bed.
   std::string mechanical_text;
-  std::vector<std::string> warnings;   // what the reader took otherwise than it is written
+  std::vector<std::string> warnings;  // what the reader took otherwise than it is written
 };
 
 }  // namespace pmr
