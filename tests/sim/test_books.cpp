@@ -115,3 +115,22 @@ TEST_CASE("Oxygen that leaves and comes back counts both ways") {
   CHECK_FALSE(closes_without(c, end, &Fluxes::gas_energy_out, 1e-3));
   CHECK_FALSE(closes_without(c, end, &Fluxes::to_outside, 1e-3));
 }
+
+TEST_CASE("Residuals are parts of what was turned over and of a stated share of the store") {
+  const Case c = pumped();
+  State state;  // nothing is left: what was stored is in the fluxes, less a residual
+  state.opening.energy = 50.0;
+  state.opening.heat_content = 1000.0;
+  state.fluxes.to_outside = 50.0 + 1e-5;
+  state.fluxes.heat_exchanged = 10.0;
+  state.fluxes.gas_turnover = 90.0;
+  state.opening.oxygen = 2.0;
+  state.fluxes.oxygen_released = state.gas.oxygen = 2.0 - 1e-6;
+  state.fluxes.grain_turnover = state.fluxes.oxygen_turnover = 3.0;
+  const sim::Balance one = sim::close_books(c, state);
+  CHECK(one.energy_relative == Approx(1e-5 / (10.0 + 90.0 + 1e-2 * 1000.0)));
+  CHECK(one.oxygen_relative == Approx(1e-6 / (3.0 + 2.0 * 2.0)));
+  // Of a hundred granules: what each leaves has either sign.
+  for (int i = 0; i < 100; ++i) state.waiting.formula_units.push_back(1.0);
+  CHECK(sim::close_books(c, state).oxygen_relative == Approx(1e-6 / (3.0 + 0.2 * 2.0)));
+}
