@@ -21,8 +21,8 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// How many particles hold oxygen [1], one at least. What each leaves is of either sign, so that
-// their sum grows with the root of their number alone.
+// How many particles hold oxygen [1], one at least. What each leaves is taken to be of either
+// sign (assumed), so that their sum grows with the root of their number alone.
 double grains(const State& state) {
   const auto holds_oxygen = [](double formula_units) { return formula_units > 0.0; };
   const auto count = [&](const Particles& p) {
