@@ -52,7 +52,6 @@ SingleContact single_contact(const ContactModel& model) {
 
 ContactLaws::ContactLaws(const Case& c)
     : model_(c.models.mechanics.contact),
-      evaluate_(single_contact(model_)),
       species_(c.species.size()),
       materials_(c.materials.list.size()) {
   const auto law = [&](std::size_t a, std::size_t b) {

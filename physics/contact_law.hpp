@@ -33,14 +33,9 @@ class ContactLaws {
   const ContactLaw& with_wall(std::uint32_t species, std::uint32_t material) const {
     return walls_[species * materials_ + material];
   }
-  ContactForce<double> evaluate(const ContactLaw& law, const Touch<double>& touch, double dt,
-                                Springs<double>& springs) const {
-    return evaluate_(law, touch, dt, springs);
-  }
 
  private:
   ContactModel model_;
-  SingleContact evaluate_;
   std::size_t species_, materials_;
   std::vector<ContactLaw> pairs_, walls_;
 };

@@ -163,15 +163,6 @@ ContactHistory WallContacts::history(std::size_t particles) const {
   return h;
 }
 
-ContactBook WallContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
-                                     std::span<Load> loads) {
-  List& list = lists_[b];
-  ContactBook book;
-  for (const Row& row : list.rows)
-    add_forces_on(list, row, spheres, dt, loads[row.particle - list.block.first], book);
-  return book;
-}
-
 // Contacts of the sphere, deepest first.
 void WallContacts::meet(List& list, const Row& row, const Sphere& sphere) const {
   list.met.clear();
@@ -209,24 +200,7 @@ Springs<double> WallContacts::inherited(List& list, const Row& row, const Foot& 
   return heir_of->springs;
 }
 
-void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt,
-                                 Load& load, ContactBook& book) const {
-  const Sphere& sphere = spheres.sphere[row.particle];
-  meet(list, row, sphere);
-  for (const Foot& met : list.met) list.slots[met.place].touches_now = true;
-  for (const Foot& met : list.met) {
-    Slot& slot = list.slots[met.place];
-    if (!slot.touches) slot.springs = inherited(list, row, met, sphere);
-  }
-  for (const Foot& met : list.met)
-    push(spheres, row.particle, met, dt, list.slots[met.place].springs, load, book);
-  for (std::uint32_t s = row.first; s < row.last; ++s) {
-    Slot& slot = list.slots[s];
-    slot.touches = slot.touches_now;
-    slot.touches_now = false;
-  }
-}
-
+template <class Force, class Rolling>
 void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, double dt,
                         Springs<double>& springs, Load& load, ContactBook& book) const {
   const Sphere& sphere = spheres.sphere[i];
@@ -243,8 +217,8 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, 
                             arm / met.distance,
                             sphere.radius,
                             1.0 / u.inverse_mass};
-  const ContactForce<double> f = laws_.evaluate(
-      laws_.with_wall(spheres.label[i].species, surface.material), touch, dt, springs);
+  const ContactLaw& law = laws_.with_wall(spheres.label[i].species, surface.material);
+  const ContactForce<double> f = evaluate<Force, Rolling>(law, touch, dt, springs);
   load.force += met.share * vec3(f.force);
   load.torque -= met.share * vec3(arm * f.twist + f.rolling);
   book.elastic += met.share * f.elastic;
@@ -252,6 +226,38 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, 
       dt * met.share *
       (vec3(f.force).dot(wall.velocity_at(met.point)) - vec3(f.rolling).dot(wall.spin));
   book.overlap_ratio = std::max(book.overlap_ratio, overlap / sphere.radius);
+}
+
+template <class Force, class Rolling>
+void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt,
+                                 Load& load, ContactBook& book) const {
+  const Sphere& sphere = spheres.sphere[row.particle];
+  meet(list, row, sphere);
+  for (const Foot& met : list.met) list.slots[met.place].touches_now = true;
+  for (const Foot& met : list.met) {
+    Slot& slot = list.slots[met.place];
+    if (!slot.touches) slot.springs = inherited(list, row, met, sphere);
+  }
+  for (const Foot& met : list.met)
+    push<Force, Rolling>(spheres, row.particle, met, dt, list.slots[met.place].springs, load, book);
+  for (std::uint32_t s = row.first; s < row.last; ++s) {
+    Slot& slot = list.slots[s];
+    slot.touches = slot.touches_now;
+    slot.touches_now = false;
+  }
+}
+
+ContactBook WallContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
+                                     std::span<Load> loads) {
+  List& list = lists_[b];
+  ContactBook book;
+  const auto add_under = [&]<class Force, class Rolling>(Force, Rolling) {
+    for (const Row& row : list.rows)
+      add_forces_on<Force, Rolling>(list, row, spheres, dt, loads[row.particle - list.block.first],
+                                    book);
+  };
+  std::visit(add_under, laws_.model().force, laws_.model().rolling);
+  return book;
 }
 
 }  // namespace pmr::physics

@@ -80,8 +80,10 @@ class WallContacts {
   void meet(List& list, const Row& row, const Sphere& sphere) const;
   Springs<double> inherited(List& list, const Row& row, const Foot& fresh,
                             const Sphere& sphere) const;
+  template <class Force, class Rolling>
   void add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt, Load& load,
                      ContactBook& book) const;
+  template <class Force, class Rolling>
   void push(const Spheres& spheres, std::size_t i, const Foot& met, double dt,
             Springs<double>& springs, Load& load, ContactBook& book) const;
 
