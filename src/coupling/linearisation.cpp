@@ -194,14 +194,15 @@ Eigen::VectorXd gas_product(const Linearisation& J, const Changes& change) {
                   link_change(J, J.system->nodes->gas(), change.temperature));
 }
 
-Eigen::MatrixXd gas_by_gas(const Linearisation& J) {
+Eigen::MatrixXd gas_by_gas(const Linearisation& J, double gamma) {
   const std::size_t zones = J.system->zones();
   Eigen::MatrixXd rows = J.gas.rates;
   const auto given =
       parallel_bins(J.reactions.size(), 2 * zones, [&](std::size_t k, std::vector<double>& sums) {
         const ReactionSlopes& r = J.reactions[k];
-        sums[2 * r.zone] += r.by_pressure;
-        sums[2 * r.zone + 1] += r.by_pressure * r.oxygen_heat;
+        const double by_pressure = r.by_pressure / DeltaRow(r, gamma).pivot;
+        sums[2 * r.zone] += by_pressure;
+        sums[2 * r.zone + 1] += by_pressure * r.oxygen_heat;
       });
   for (std::size_t zone = 0; zone < zones; ++zone) {
     const auto first = static_cast<Eigen::Index>(3 * zone);

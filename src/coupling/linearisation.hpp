@@ -44,14 +44,23 @@ struct Changes {
 void product(const Linearisation& J, std::span<const double> v, std::span<double> jv);
 // The gas' rows of J v alone.
 Eigen::VectorXd gas_product(const Linearisation& J, const Changes& change);
-// The gas' rows of J by the gas' unknowns, the particles as they are.
-Eigen::MatrixXd gas_by_gas(const Linearisation& J);
+// The gas' rows of J by the gas' unknowns, the particles as warm as they are, their deltas
+// following by their own rows of I - gamma J; gamma 0: as they are.
+Eigen::MatrixXd gas_by_gas(const Linearisation& J, double gamma);
 
 // Change of what reactant k gives to its gas.
 struct Given {
   double oxygen, energy;  // [mol/s], [W]
 };
 Given given_change(const Linearisation& J, std::size_t k, const Changes& change);
+
+// What reactant k's own row of I - gamma J makes of its delta, as warm as it is.
+struct DeltaRow {
+  DeltaRow(const ReactionSlopes& r, double gamma)  // [s]
+      : step(2.0 * gamma / r.formula_units), pivot(1.0 - step * r.by_delta) {}
+  double step;   // [s/mol] of delta by release
+  double pivot;  // [1]
+};
 
 // Change of pO2 [Pa] in each gas zone with its three unknowns.
 std::vector<double> pressure_changes(const GasSlopes& slopes, const Eigen::VectorXd& gas);

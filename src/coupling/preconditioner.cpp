@@ -69,8 +69,8 @@ void Preconditioner::factor_walls(const Linearisation& J) {
 
 void Preconditioner::factor_gas(const Linearisation& J) {
   const std::size_t zones = J.system->zones();
-  Eigen::MatrixXd schur =
-      Eigen::MatrixXd::Identity(J.gas.rates.rows(), J.gas.rates.cols()) - gamma_ * gas_by_gas(J);
+  Eigen::MatrixXd schur = Eigen::MatrixXd::Identity(J.gas.rates.rows(), J.gas.rates.cols()) -
+                          gamma_ * gas_by_gas(J, 0.0);
   // What the granules reply to a pressure.
   const auto answer =
       parallel_bins(J.reactions.size(), 3 * zones, [&](std::size_t k, std::vector<double>& sums) {
