@@ -6,6 +6,7 @@
 #include "physics/deposition.hpp"
 #include "physics/neighbours.hpp"
 #include "physics/pouring.hpp"
+#include "physics/upright.hpp"
 #include "physics/wall_overlaps.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
@@ -62,8 +63,15 @@ std::vector<Group> groups(const Case& c) {
   return all;
 }
 
-// Places of one layer of spheres at height z [m] above the ground, at most `wanted`.
-std::vector<Vec3> layer(const Ground& g, double diameter, double z, std::size_t wanted,
+// True where the layers do not lie across gravity.
+bool is_tilted(const Case& c) {
+  const auto up = up_against(c.gravity);
+  return up && std::abs(up->z()) < 1.0 - 1e-9;
+}
+
+// Places of one layer of spheres at height z [m] above the ground, at most `wanted`; z is shifted
+// by up to `lift` [m], up or down.
+std::vector<Vec3> layer(const Ground& g, double diameter, double z, double lift, std::size_t wanted,
                         Random random) {
   const double a = lattice_spacing * diameter, row = a * std::sqrt(0.75);
   const double jitter = 0.5 * (lattice_spacing - 1.0) * diameter;
@@ -78,7 +86,8 @@ std::vector<Vec3> layer(const Ground& g, double diameter, double z, std::size_t 
       const Eigen::Vector2d node((l + u + 0.5 * (k & 1)) * a, (k + v) * row);
       const Eigen::Vector2d d =
           turn * node + shift * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      const Vec3 x = g.centre + Vec3(d[0], d[1], z);
+      const double shifted = lift > 0.0 ? z + lift * (2.0 * random.uniform() - 1.0) : z;
+      const Vec3 x = g.centre + Vec3(d[0], d[1], shifted);
       if (g.holds(x, 0.5 * diameter)) places.push_back(x);
     }
   return places;
@@ -116,22 +125,26 @@ class Turns {
   std::vector<std::size_t> left_, count_;
 };
 
-// Stacks layers until all are placed.
+// Stacks layers until all are placed. Layers that gravity does not press onto each other are
+// jittered out of their planes, too: a flat one would fall as it is, edge on, and stand as a wall
+// one particle thick, for no force in it points out of its plane.
 Filling stack(const Case& c, const Group& group, std::uint64_t key) {
   Filling f;
   Turns turns(c, group);
+  const double spacing = is_tilted(c) ? lattice_spacing : layer_spacing;
   int empty = 0;
   for (std::uint64_t number = 0; empty < most_empty_layers; ++number) {
     const std::size_t next = turns.next();
     if (turns.left(next) == 0) return f;
     const SpeciesIndex s = group.members[next];
     const double diameter = c.species[s].diameter;
-    const double z = f.height + 0.5 * diameter;
-    const auto places = layer(group.ground, diameter, z, turns.left(next),
+    const double lift = is_tilted(c) ? 0.5 * (lattice_spacing - 1.0) * diameter : 0.0;
+    const double z = f.height + 0.5 * diameter + lift;
+    const auto places = layer(group.ground, diameter, z, lift, turns.left(next),
                               Random(c.seed, Purpose::insertion, key, number));
     empty = places.empty() ? empty + 1 : 0;
     if (places.empty()) continue;
-    f.height += layer_spacing * diameter;
+    f.height += spacing * diameter;
     turns.take(next, places.size());
     for (const Vec3& x : places) f.placed.push_back({s, 0.5 * diameter, x});
     if (f.height <= group.ground.height) f.fitting = f.placed.size();

@@ -10,10 +10,11 @@ namespace pmr::physics {
 
 // Fills the species' regions from the base upwards, layer upon layer: each layer is a hexagonal
 // lattice of one species, turned and shifted at random and jittered (so that the bed does not
-// settle into a crystal), nothing overlaps. Where sizes differ, particles are let down one by one
-// instead (physics/deposition.hpp). Species that share a region take turns, so that they are mixed
-// in proportion. Explicit particles follow. Ids count from 0 in that order. Fields of heat and
-// chemistry stay zero, except the temperature. Throws CaseError with insertion_faults.
+// settle into a crystal; also out of its plane where gravity is not across it), nothing overlaps.
+// Where sizes differ, particles are let down one by one instead (physics/deposition.hpp). Species
+// that share a region take turns, so that they are mixed in proportion. Explicit particles follow.
+// Ids count from 0 in that order. Fields of heat and chemistry stay zero, except the temperature.
+// Throws CaseError with insertion_faults.
 Particles insert(const Case& c);
 
 // Sources that cannot pour (physics/pouring.hpp), regions that are too small (with what fits and

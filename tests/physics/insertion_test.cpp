@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <functional>
+#include <set>
 
 #include "mechanics_scene.hpp"
 #include "physics/neighbours.hpp"
@@ -67,6 +68,21 @@ TEST_CASE("Two species that share a region are mixed in proportion over its heig
     for (const double z : heights[s]) mean[s] += z / static_cast<double>(heights[s].size());
   }
   CHECK(std::abs(mean[0] - mean[1]) < 2.0 * radius);  // a layer
+}
+
+TEST_CASE("Layers along gravity are not flat: each would stand on its edge for good") {
+  Case c = tube(2e-3, 300, 0.06);
+  const auto heights = [&](const Vec3& gravity) {  // how many there are
+    c.gravity = gravity;
+    const Particles p = physics::insert(c);
+    CHECK(physics::pairs_within(p, 0.0).empty());
+    std::set<double> all;
+    for (const Vec3& x : p.position) all.insert(x.z());
+    return all.size();
+  };
+  CHECK(heights(Vec3(0, 0, -9.81)) < 15);
+  CHECK(heights(Vec3(9.81, 0, 0)) == 300);
+  CHECK(heights(Vec3(0, 3.0, -9.0)) == 300);
 }
 
 TEST_CASE("A region that is too small says what fits and what it takes") {
