@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "case/backs.hpp"
 #include "case/extents.hpp"
 #include "case/facing.hpp"
 #include "case/parts.hpp"
@@ -183,6 +184,8 @@ Case read_case(Reading& reading, const Node& document) {
   if (reading.faults() == 0) check_extents(root, parts_of_rig, made);
   made.warnings = reading.warnings;
   if (made.models.radiation && made.bed.empty()) face_particles(parts_of_rig, made);
+  if (made.models.radiation && made.bed.empty() && reading.faults() == 0)
+    warn_of_backs(parts_of_rig, made);
   check_upright(root, made, rig.has_value());
   if (made.models.mechanics_only) keep_mechanics(root, made);
   return made;

@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "case/half_line.hpp"
+
 namespace pmr::casefile {
 namespace {
 
@@ -83,17 +85,6 @@ std::vector<Part> parts_of(const std::vector<Triangle>& triangles) {
   return parts;
 }
 
-// Whether a half line from `start` passes through the triangle (Moeller and Trumbore 1997).
-bool is_crossed(const Triangle& t, const Vec3& start, const Vec3& direction) {
-  const Vec3 u = t[1] - t[0], v = t[2] - t[0], h = direction.cross(v), s = start - t[0];
-  const double scale = u.dot(h);
-  if (scale == 0.0) return false;
-  const double a = s.dot(h) / scale;
-  const Vec3 q = s.cross(u);
-  const double b = direction.dot(q) / scale;
-  return a >= 0.0 && b >= 0.0 && a + b <= 1.0 && v.dot(q) / scale > 0.0;
-}
-
 // Whether x lies within the closed mesh: most of several half lines leave it through an odd number
 // of triangles (one may hit an edge). `on` [1]: x lies on that triangle, which does not count.
 bool is_within(const std::vector<Triangle>& mesh, const Vec3& x, const std::vector<Vec3>& towards,
@@ -102,7 +93,7 @@ bool is_within(const std::vector<Triangle>& mesh, const Vec3& x, const std::vect
   for (const Vec3& direction : towards) {
     std::size_t crossings = 0;
     for (std::size_t t = 0; t < mesh.size(); ++t)
-      crossings += t != on && is_crossed(mesh[t], x, direction) ? 1 : 0;
+      crossings += t != on && std::isfinite(way_to_triangle({x, direction}, mesh[t])) ? 1 : 0;
     odd += crossings % 2;
   }
   return 2 * odd > towards.size();
