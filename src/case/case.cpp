@@ -167,7 +167,8 @@ Case read_case(Reading& reading, const Node& document) {
   const std::size_t parts_of_rig = made.walls.bodies.size();
   read_walls(root, setting, made.walls);
   made.species = read_species(
-      root, book, {rig, rig_is_faulty, !made.bed.empty(), made.models.heat(), made.seed});
+      root, book,
+      {rig, rig_is_faulty, !made.bed.empty(), made.models.heat(), made.models.reaction, made.seed});
   made.particles = read_particles(root, made.species);
   made.fill = read_fill(root);
   made.mix = read_mix(root);

@@ -21,7 +21,8 @@ struct ParticleSetting {
   const std::optional<Rig>& rig;
   bool rig_is_faulty;
   bool has_bed;
-  bool heat;  // temperatures matter
+  bool heat;    // temperatures matter
+  bool reacts;  // delta changes
   std::uint64_t seed;
 };
 std::vector<Species> read_species(Table& root, MaterialBook& book, const ParticleSetting& setting);

@@ -8,6 +8,8 @@
 #include "case/parts.hpp"
 #include "case/regions.hpp"
 #include "case/sizes.hpp"
+#include "chemistry/kinetics.hpp"
+#include "chemistry/redox.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
@@ -30,8 +32,48 @@ InitialDelta read_delta(Table& table) {
   if (node->find("equilibrium_at") == nullptr && node->find("oxygen") == nullptr)
     return table.value("delta", delta);
   Table inner(table.reading(), *node, table.path("delta"));
-  return EquilibriumDelta{inner.value("equilibrium_at", a_temperature),
+  return EquilibriumDelta{inner.value("equilibrium_at", a_state_temperature),
                           inner.value("oxygen", {Dimension::pressure, positive})};
+}
+
+// [1/s] |d(delta)/dt| of a fresh particle without oxygen around it, where the rate is largest.
+double first_rate(const Material& material, double temperature, double delta) {
+  const double concentration = chemistry::formula_unit_concentration(material);
+  const chemistry::RateState fresh{temperature, delta, 0.0, concentration};
+  return std::abs(2.0 * chemistry::oxygen_rate(*material.redox, fresh) / concentration);
+}
+
+// A delta so near to nothing that its equilibrium pressure is none that a gas could have: the
+// network would have to follow a change within less than rounding of any time.
+void check_delta(Table& table, const Material& material, const Species& species, bool reacts) {
+  constexpr double fastest = 1e28;  // [1/s] runs went well at 6e26, and not from 1e32 on
+  const RedoxEquilibrium& equilibrium = material.redox->equilibrium;
+  const double T = species.initial_temperature;
+  const auto starts = [&](double delta) { return first_rate(material, T, delta) < fastest; };
+  if (const double* delta = std::get_if<double>(&species.initial_delta)) {
+    if (*delta >= equilibrium.delta_limit)
+      table.fault("delta", fmt::format("wanted below {}", equilibrium.delta_limit));
+    else if (reacts && *delta > 0.0 && std::isfinite(T) && !starts(*delta))
+      table.fault("delta",
+                  fmt::format("of {} no reaction can start at {} K: wanted more", *delta, T));
+    return;
+  }
+  const auto& frozen = std::get<EquilibriumDelta>(species.initial_delta);
+  const bool is_read = a_state_temperature.range.holds(frozen.temperature) &&
+                       frozen.oxygen_pressure > 0.0 && T > 0.0;
+  if (!reacts || !is_read) return;
+  const auto delta_at = [&](double temperature) {
+    return chemistry::equilibrium_delta(equilibrium, temperature, frozen.oxygen_pressure);
+  };
+  if (starts(delta_at(frozen.temperature))) return;
+  double low = frozen.temperature, high = std::max(low, T);  // it rises with the temperature
+  while (high - low > 0.5) (starts(delta_at(0.5 * (low + high))) ? high : low) = 0.5 * (low + high);
+  table.fault(
+      "delta",
+      fmt::format(
+          "an equilibrium at {} K is too cold: of a delta of {:.1e} no reaction can start at {} K; "
+          "wanted {:.0f} K or more",
+          frozen.temperature, delta_at(frozen.temperature), T, std::ceil(high)));
 }
 
 double volume_of(const CylinderRegion& r) {  // [m3]
@@ -141,9 +183,7 @@ Species read_one(Table& table, const std::string& name, std::size_t index, Mater
   read_particles_of(table, material, index, at, species);
   if (material.redox) {
     species.initial_delta = read_delta(table);
-    const double* delta = std::get_if<double>(&species.initial_delta);
-    if (delta != nullptr && *delta >= material.redox->equilibrium.delta_limit)
-      table.fault("delta", fmt::format("wanted below {}", material.redox->equilibrium.delta_limit));
+    check_delta(table, material, species, at.reacts);
   } else if (table.has("delta")) {
     table.look("delta");
     table.fault("delta", fmt::format("material '{}' holds no oxygen to give", material.name));

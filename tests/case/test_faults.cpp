@@ -137,6 +137,38 @@ TEST_CASE("what is built along z wants gravity along -z, and layers of gas want 
   CHECK_THAT(layers[0], Contains("bed_gas has layers across gravity; wanted gravity"));
 }
 
+TEST_CASE(
+    "a delta from which no reaction can start is refused, with the temperature that it takes") {
+  const std::string granules =
+      "[species.granule]\nmaterial = \"SrFeO3\"\ndiameter = \"1.5 mm\"\ncount = 3\ntemperature = "
+      "\"700 degC\"\nregion = {base = \"50 0 0 mm\", radius = \"9 mm\", height = \"9 mm\"}\n"
+      "[chamber]\npressure = \"1 bar\"\noxygen_fraction = 0.2\ngas_temperature = \"20 degC\"\n"
+      "film_coefficient = \"0 W/m2/K\"\nleak = \"0 mol/s/Pa\"\n[models]\nreaction = true\n";
+  const auto told = [&](const std::string& delta) {
+    return faults_of(small_case + granules, {"species.granule.delta=" + delta});
+  };
+  const auto frozen = [&](const std::string& temperature) {
+    return told("{equilibrium_at=\"" + temperature + "\",oxygen=\"0.21 bar\"}");
+  };
+  CHECK(frozen("20 degC").empty());
+  CHECK(frozen("200 K").empty());
+  REQUIRE(frozen("160 K").size() == 1);
+  CHECK_THAT(frozen("160 K")[0],
+             Contains("species.granule.delta: an equilibrium at 160 K is too cold") &&
+                 Contains("no reaction can start at 973.15 K; wanted 1") && Contains(" K or more"));
+  REQUIRE(frozen("20 K").size() == 1);
+  CHECK_THAT(frozen("20 K")[0], Contains("20 K is out of range; wanted a temperature") &&
+                                    Contains("between 150 and 3000"));
+  CHECK(told("1e-6").empty());
+  REQUIRE(told("1e-12").size() == 1);
+  CHECK_THAT(told("1e-12")[0], Contains("species.granule.delta: of 1e-12 no reaction can start"));
+  // A law that does not ask for the pressure of such a delta has no trouble with it.
+  const std::string relaxation =
+      "materials.SrFeO3.redox.rate={law=\"relaxation\",time=\"40 s\",reference_temperature=\"673 "
+      "K\",reduction_energy=\"144 kJ/mol\",oxidation_energy=\"92 kJ/mol\",shortest=\"1 s\"}";
+  CHECK(faults_of(small_case + granules, {"species.granule.delta=1e-12", relaxation}).empty());
+}
+
 TEST_CASE("an emissivity that would be read as another is refused") {
   const std::string shiny = "[materials.Al2O3]\nemissivity = ";
   CHECK(faults_of(small_case + shiny + "0.001\n").empty());
