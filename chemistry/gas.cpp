@@ -8,8 +8,6 @@
 namespace pmr::chemistry {
 namespace {
 
-constexpr double R = gas_constant;
-
 // Two Shomate fits that share one temperature; the upper is shifted (1 J/mol) to meet the lower.
 struct TwoRanges {
   HeatCurve lower, upper;
@@ -63,12 +61,12 @@ double enthalpy(const GasAmount& gas, double T) {
 }
 
 double internal_energy(const GasAmount& gas, double T) {
-  return enthalpy(gas, T) - total(gas) * R * T;
+  return enthalpy(gas, T) - total(gas) * gas_constant * T;
 }
 
 double heat_capacity_constant_volume(const GasAmount& gas, double T) {
   return gas.oxygen * oxygen_heat(T).heat_capacity + gas.nitrogen * nitrogen_heat(T).heat_capacity -
-         total(gas) * R;
+         total(gas) * gas_constant;
 }
 
 double gas_temperature(const GasAmount& gas, double energy, double guess) {
@@ -80,7 +78,7 @@ double gas_temperature(const GasAmount& gas, double energy, double guess) {
 
 double heat_capacity_ratio(double x, double T) {
   const double cp = mix(x, oxygen_heat(T).heat_capacity, nitrogen_heat(T).heat_capacity);
-  return cp / (cp - R);
+  return cp / (cp - gas_constant);
 }
 
 // Power laws of the Chapman-Enskog values (Lennard-Jones) at 300-1300 K, mark D.
@@ -95,7 +93,7 @@ double gas_conductivity(double x, double T) {
 
 double mean_free_path(double x, double T, double pressure) {
   const double mass = mix(x, oxygen_molar_mass, nitrogen_molar_mass);
-  return viscosity(x, T) / pressure * std::sqrt(pi * R * T / (2.0 * mass));
+  return viscosity(x, T) / pressure * std::sqrt(pi * gas_constant * T / (2.0 * mass));
 }
 
 double binary_diffusivity(double T, double pressure) {

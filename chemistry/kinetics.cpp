@@ -10,7 +10,6 @@
 namespace pmr::chemistry {
 namespace {
 
-constexpr double R = gas_constant;
 constexpr double lowest_pressure = 1e-3;  // [Pa] where a law is singular at zero
 
 // p^m and its slope m p^(m-1).
@@ -43,13 +42,13 @@ Constant constant_of(const PowerRate& law, const Redox& redox, bool reduces, con
   const double T = at.temperature;
   const Arrhenius& k = reduces || !law.oxidation ? law.reduction : *law.oxidation;
   const double value = rate_constant(law.factor, k, T);
-  const double by_T = value * k.activation_energy / (R * T * T);
+  const double by_T = value * k.activation_energy / (gas_constant * T * T);
   if (!redox.pores || at.radius == 0.0) return {value, by_T};
   const PoreDiffusion& pores = *redox.pores;
   const double diffusivity = pores.diffusivity * std::sqrt(T / pores.reference_temperature);
-  const double phi = at.radius * std::sqrt(value * R * T / diffusivity);
+  const double phi = at.radius * std::sqrt(value * gas_constant * T / diffusivity);
   // d ln phi / dT, of sqrt(k T / sqrt(T))
-  const double stretch = 0.5 * (k.activation_energy / (R * T * T) + 0.5 / T);
+  const double stretch = 0.5 * (k.activation_energy / (gas_constant * T * T) + 0.5 / T);
   const double part = effectiveness(phi);
   return {part * value, part * by_T + value * effectiveness_slope(phi) * stretch};
 }
@@ -100,7 +99,8 @@ RateSlopes slopes(const RelaxationRate& law, const Redox& redox, const RateState
   const double by_end = 0.5 * at.concentration / tau;                // [mol O2/s/m3]
   const double by_ln_p = 1.0 / ln_pressure_delta_slope(eq, T, end);  // d(delta_eq)/d(ln p)
   const double rate = 0.5 * at.concentration * (end - at.delta) / tau;
-  const double quickening = tau > law.shortest ? energy / (R * T * T) : 0.0;  // -d ln tau/dT
+  const double quickening =
+      tau > law.shortest ? energy / (gas_constant * T * T) : 0.0;  // -d ln tau/dT
   return {rate, -by_end,
           rate * quickening - by_end * by_ln_p * ln_pressure_temperature_slope(eq, T, end),
           at.oxygen_pressure > lowest_pressure ? by_end * by_ln_p / p : 0.0};
@@ -109,12 +109,13 @@ RateSlopes slopes(const RelaxationRate& law, const Redox& redox, const RateState
 }  // namespace
 
 double rate_constant(double factor, const Arrhenius& k, double T) {
-  return factor * k.pre_exponential * std::exp(-k.activation_energy / (R * T));
+  return factor * k.pre_exponential * std::exp(-k.activation_energy / (gas_constant * T));
 }
 
 double relaxation_time(const RelaxationRate& law, bool is_reducing, double T) {
   const double energy = is_reducing ? law.reduction_energy : law.oxidation_energy;
-  const double tau = law.time * std::exp(energy / R * (1.0 / T - 1.0 / law.reference_temperature));
+  const double tau =
+      law.time * std::exp(energy / gas_constant * (1.0 / T - 1.0 / law.reference_temperature));
   return std::max(tau, law.shortest);
 }
 

@@ -11,8 +11,6 @@
 namespace pmr::chemistry {
 namespace {
 
-constexpr double R = gas_constant;
-
 double enthalpy_span(const RedoxEquilibrium& eq) {
   return eq.enthalpy_maximum - eq.enthalpy_minimum;
 }
@@ -38,11 +36,13 @@ struct LogitEquation {
   double slope(double x) const {
     const double d = delta(x);
     const double by_x = d * (eq.delta_limit - d) / eq.delta_limit;
-    return -1.0 - reduction_enthalpy_slope(eq, d) * by_x / (2.0 * eq.configuration * R * T);
+    return -1.0 -
+           reduction_enthalpy_slope(eq, d) * by_x / (2.0 * eq.configuration * gas_constant * T);
   }
   // x of a dh [J/mol O] that did not depend on delta.
   double linear(double heat) const {
-    return ((2.0 / R) * (thermal_entropy(eq, T) - heat / T) - ln_p) / (4.0 * eq.configuration);
+    return ((2.0 / gas_constant) * (thermal_entropy(eq, T) - heat / T) - ln_p) /
+           (4.0 * eq.configuration);
   }
 };
 
@@ -61,21 +61,22 @@ double reduction_enthalpy_slope(const RedoxEquilibrium& eq, double delta) {
 double reduction_entropy(const RedoxEquilibrium& eq, double T, double delta) {
   if (!(delta > 0.0 && delta < eq.delta_limit)) return std::numeric_limits<double>::quiet_NaN();
   return thermal_entropy(eq, T) +
-         2.0 * eq.configuration * R * std::log((eq.delta_limit - delta) / delta);
+         2.0 * eq.configuration * gas_constant * std::log((eq.delta_limit - delta) / delta);
 }
 
 double ln_equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) {
-  return (2.0 / R) * (reduction_entropy(eq, T, delta) - reduction_enthalpy(eq, delta) / T);
+  return (2.0 / gas_constant) *
+         (reduction_entropy(eq, T, delta) - reduction_enthalpy(eq, delta) / T);
 }
 
 double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta, double dh) {
-  return bar * std::exp((2.0 / R) * (reduction_entropy(eq, T, delta) - dh / T));
+  return bar * std::exp((2.0 / gas_constant) * (reduction_entropy(eq, T, delta) - dh / T));
 }
 
 double ln_pressure_delta_slope(const RedoxEquilibrium& eq, double T, double delta) {
   const double entropy_slope =
-      -2.0 * eq.configuration * R * eq.delta_limit / (delta * (eq.delta_limit - delta));
-  return (2.0 / R) * (entropy_slope - reduction_enthalpy_slope(eq, delta) / T);
+      -2.0 * eq.configuration * gas_constant * eq.delta_limit / (delta * (eq.delta_limit - delta));
+  return (2.0 / gas_constant) * (entropy_slope - reduction_enthalpy_slope(eq, delta) / T);
 }
 
 double ln_pressure_temperature_slope(const RedoxEquilibrium& eq, double T, double delta) {
@@ -84,7 +85,7 @@ double ln_pressure_temperature_slope(const RedoxEquilibrium& eq, double T, doubl
 
 double ln_pressure_temperature_slope_with(const RedoxEquilibrium& eq, double T, double dh) {
   const double entropy_slope = eq.oxygen_entropy ? 0.0 : 0.5 * oxygen_heat(T).heat_capacity / T;
-  return (2.0 / R) * (dh / (T * T) + entropy_slope);
+  return (2.0 / gas_constant) * (dh / (T * T) + entropy_slope);
 }
 
 double equilibrium_pressure(const RedoxEquilibrium& eq, double T, double delta) {

@@ -1,6 +1,5 @@
 // Which way is up: against gravity.
 #pragma once
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -9,27 +8,15 @@
 namespace pmr::physics {
 
 // Unit vector [1]; none without gravity [m/s2].
-inline std::optional<Vec3> up_against(const Vec3& gravity) {
-  const double size = gravity.norm();
-  if (!(size > 0.0)) return std::nullopt;
-  return Vec3(-gravity / size);
-}
+std::optional<Vec3> up_against(const Vec3& gravity);
 
 // True where up is +z, to rounding.
-inline bool is_z(const Vec3& up) { return (up - Vec3::UnitZ()).norm() < 1e-9; }
+bool is_z(const Vec3& up);
 
 // Turns `up` to +z: rows are the axes of the upright frame. Exactly the identity where it is z.
-inline Eigen::Matrix3d upright_frame(const Vec3& up) {
-  if (is_z(up)) return Eigen::Matrix3d::Identity();
-  return Eigen::Quaterniond::FromTwoVectors(up, Vec3::UnitZ()).toRotationMatrix();
-}
+Eigen::Matrix3d upright_frame(const Vec3& up);
 
-inline std::vector<Vec3> upright(const std::vector<Vec3>& places, const Vec3& up) {
-  const Eigen::Matrix3d frame = upright_frame(up);
-  std::vector<Vec3> turned;
-  turned.reserve(places.size());
-  for (const Vec3& place : places) turned.push_back(is_z(up) ? place : Vec3(frame * place));
-  return turned;
-}
+// Places [m] in that frame.
+std::vector<Vec3> upright(const std::vector<Vec3>& places, const Vec3& up);
 
 }  // namespace pmr::physics

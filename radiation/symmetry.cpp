@@ -12,7 +12,7 @@
 namespace pmr::radiation {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
 constexpr int most_sweeps = 60;        // [1] about 30 do for a closed bed
 constexpr double good_enough = 1e-10;  // [1] of row sums
 
@@ -62,7 +62,7 @@ void for_each_partner(std::span<const Count> out, std::span<const Count> in, con
   std::size_t a = 0, b = 0;
   while (a < out.size() || b < in.size()) {
     const std::uint32_t j =
-        std::min(a < out.size() ? out[a].node : none, b < in.size() ? in[b].node : none);
+        std::min(a < out.size() ? out[a].node : no_node, b < in.size() ? in[b].node : no_node);
     const std::uint64_t sent = a < out.size() && out[a].node == j ? out[a++].rays : 0;
     const std::uint64_t received = b < in.size() && in[b].node == j ? in[b++].rays : 0;
     visit(j, sent, received);

@@ -4,11 +4,10 @@
 #include <limits>
 
 #include "case/parts.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
 namespace {
-
-constexpr double forever = std::numeric_limits<double>::infinity();
 
 // A constant, or a curve over the pressure at the inlet.
 pmr::Table read_speed(Table& pump) {
@@ -138,11 +137,11 @@ NetworkModel read_network(Table& models) {
 double read_closing(Table& root) {
   const Node* node = root.look_table("chamber");
   const Node* closing = node == nullptr ? nullptr : node->find("closing");
-  if (closing == nullptr) return forever;
+  if (closing == nullptr) return infinity;
   const Node* figure = closing->is_table() ? closing->find("value") : closing;
-  if (figure == nullptr || figure->kind != Node::Kind::string) return forever;
+  if (figure == nullptr || figure->kind != Node::Kind::string) return infinity;
   const Quantities read = root.reading().units.parse(figure->text, Dimension::time);
-  return read.values.size() == 1 ? read.values.front() : forever;  // read_chamber tells the fault
+  return read.values.size() == 1 ? read.values.front() : infinity;  // read_chamber tells the fault
 }
 
 std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& rig,
@@ -152,7 +151,7 @@ std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& r
   Table table(root.reading(), *node, "chamber");
   ChamberCase chamber{};
   const Want volume{Dimension::volume, positive};
-  chamber.closing = table.value("closing", a_time, forever);
+  chamber.closing = table.value("closing", a_time, infinity);
   const bool is_closed = table.has("closing");
   table.moves_nothing("volume");
   if (!is_closed)

@@ -7,8 +7,6 @@
 namespace pmr::casefile {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr Want poisson{Dimension::none, {-1.0, 0.5, true, false}};
 
 // Reads a table whose mark and source hold for all of it, recorded as one figure.
@@ -176,7 +174,7 @@ Redox read_redox(Table& table) {
   read_law(table, "rate", [&](Table& law) {
     read_named(law, redox.rate);
     redox.rate_temperature_minimum = law.value("fit_temperature_minimum", a_temperature, 0.0);
-    redox.rate_temperature_maximum = law.value("fit_temperature_maximum", a_temperature, forever);
+    redox.rate_temperature_maximum = law.value("fit_temperature_maximum", a_temperature, infinity);
   });
   redox.pores = read_pores(table, redox.rate);
   redox.oxygen_atoms = table.value("oxygen_atoms", a_positive_number);

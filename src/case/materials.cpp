@@ -6,6 +6,7 @@
 
 #include "case/nearest.hpp"
 #include "case/shipped.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
 namespace {
@@ -158,7 +159,6 @@ void MaterialBook::set_pair(std::uint32_t i, std::uint32_t j) {
 
 Materials MaterialBook::finish(const Models& models) {
   const auto n = static_cast<std::uint32_t>(materials_.list.size());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   materials_.pairs.assign(std::size_t{n} * n, {nan, nan, nan});
   const auto has = [&](std::uint32_t i, Role role) {
     return (uses_[i].roles & static_cast<unsigned>(role)) != 0;

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "case/nearest.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string range_text(Range range) {
   const bool bounded_above = std::isfinite(range.high);

@@ -14,7 +14,6 @@
 namespace pmr::casefile {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::vector<std::string> known_columns{"layer",        "azimuth", "mass_ratio", "bead_mass",
                                              "granule_mass", "beads",   "granules"};
 

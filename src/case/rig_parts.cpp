@@ -10,7 +10,6 @@ namespace pmr::casefile {
 namespace {
 
 constexpr int circle_corners = 64;  // of round holes in flat parts; a multiple of 8
-constexpr double forever = std::numeric_limits<double>::infinity();
 
 // Radius of a regular polygon's corners so that it touches a circle from outside [m].
 double circumscribed(double radius) { return radius / std::cos(pi / circle_corners); }
@@ -143,7 +142,7 @@ class Builder {
     const double r = s_.chamber_radius, top = s_.lid_height;
     add("chamber.side", revolved(0, r, 0, r, top, -1), rig_.chamber).patches = rig_.side_patches;
     add("chamber.floor", revolved(0, 0, 0, r, 0, -1), rig_.chamber).patches = rig_.floor_patches;
-    if (rig_.closing == forever) return;
+    if (rig_.closing == infinity) return;
     Surface& door = add("chamber.door", revolved(0, 0, top, r, top, +1), rig_.door);
     door.patches = rig_.door_patches;
     door.holds_particles = false;

@@ -7,11 +7,10 @@
 #include "case/facing.hpp"
 #include "case/polytope.hpp"
 #include "case/stl.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
 namespace {
-
-constexpr double forever = std::numeric_limits<double>::infinity();
 
 ThermalBoundary read_lining(Table& table, const WallSetting& setting) {
   Lining lining{};
@@ -43,7 +42,7 @@ Motion read_fall(Table& table) {
 Motion read_rotation(Table& table) {
   return Rotate{table.vector("pivot", Dimension::length), table.direction("axis"),
                 table.value("rate", {Dimension::rotation_rate, any}), table.value("begin", a_time),
-                table.value("finish", a_time, forever)};
+                table.value("finish", a_time, infinity)};
 }
 
 Motion read_motion(Table& parent) {
@@ -56,7 +55,7 @@ Motion read_motion(Table& parent) {
   if (kind == "rotate") return read_rotation(table);
   if (kind == "translate")
     return Translate{table.vector("velocity", Dimension::speed), table.value("begin", a_time),
-                     table.value("finish", a_time, forever)};
+                     table.value("finish", a_time, infinity)};
   if (kind == "oscillate")
     return Oscillate{table.vector("amplitude", Dimension::length),
                      table.value("frequency", {Dimension::frequency, positive}),
@@ -156,8 +155,8 @@ void read_wall(Table& table, const std::string& name, const WallSetting& setting
   pattern.body = static_cast<std::uint32_t>(walls.bodies.size());
   pattern.material = setting.book.use(table, "material", MaterialBook::Role::surface);
   pattern.thermal = read_thermal(table, "thermal", setting);
-  pattern.from = table.value("from", a_time, -forever);
-  pattern.until = table.value("until", a_time, forever);
+  pattern.from = table.value("from", a_time, -infinity);
+  pattern.until = table.value("until", a_time, infinity);
   pattern.patches = read_patches(table, "patches", {1, 1});
   pattern.holds_particles = table.flag("holds_particles", true);
   walls.bodies.push_back({name, read_motion(table)});

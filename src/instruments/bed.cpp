@@ -14,7 +14,6 @@
 namespace pmr::instruments {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double height_share = 0.99;  // [1] of the mass
 
 // Smallest value at or below which `share` of the weight lies; `order` sorts the values.

@@ -13,8 +13,6 @@
 namespace pmr::instruments {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // Places from the highest centre to the lowest, equal heights by id.
 std::vector<std::size_t> from_the_top(const Particles& bed) {
   std::vector<std::size_t> order(bed.size());

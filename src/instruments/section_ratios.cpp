@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 
 namespace pmr::instruments {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of_finite(const std::vector<double>& values) {
   double sum = 0.0;

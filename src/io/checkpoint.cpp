@@ -10,8 +10,8 @@
 namespace pmr::io {
 namespace {
 
-constexpr const char* format = "pmr-checkpoint";
-constexpr int version = 5;  // of the layout in docs/file-formats.md
+constexpr const char* checkpoint_format = "pmr-checkpoint";
+constexpr int checkpoint_version = 5;  // of the layout in docs/file-formats.md
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& dir) {
   return dir / "checkpoint.h5";
@@ -119,7 +119,7 @@ std::string hash_text(const State& state) { return std::to_string(state_hash(sta
 void save_checkpoint(const std::filesystem::path& dir, const State& state) {
   Replacement replacement(checkpoint_path(dir));
   H5File file = H5File::create(replacement.temporary());
-  set_format(file, format, version);
+  set_format(file, checkpoint_format, checkpoint_version);
   for_each_field(state.particles, Writer(file, "/particles/"));
   if (state.waiting.size() > 0) for_each_field(state.waiting, Writer(file, "/waiting/"));
   for_each_contact_field(state.pair_contacts, Writer(file, "/pair_contacts/"));
@@ -134,7 +134,7 @@ void save_checkpoint(const std::filesystem::path& dir, const State& state) {
 State load_checkpoint(const std::filesystem::path& dir) {
   const std::filesystem::path path = checkpoint_path(dir);
   const H5File file = H5File::open(path);
-  require_format(file, format, version);
+  require_format(file, checkpoint_format, checkpoint_version);
   State state;
   for_each_field(state.particles, Reader(file, "/particles/"));
   if (file.has("/waiting")) for_each_field(state.waiting, Reader(file, "/waiting/"));

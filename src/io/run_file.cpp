@@ -14,14 +14,14 @@
 namespace pmr::io {
 namespace {
 
-constexpr const char* format = "pmr-run";
-constexpr int version = 2;  // of the layout in docs/file-formats.md
+constexpr const char* run_format = "pmr-run";
+constexpr int run_version = 2;  // of the layout in docs/file-formats.md
 
 std::filesystem::path run_path(const std::filesystem::path& dir) { return dir / "run.h5"; }
 
 H5File open_run(const std::filesystem::path& dir) {
   H5File file = H5File::open(run_path(dir));
-  require_format(file, format, version);
+  require_format(file, run_format, run_version);
   return file;
 }
 
@@ -92,7 +92,7 @@ void create_run(const std::filesystem::path& dir, const RunHeader& header) {
   make_folder(dir);
   Replacement replacement(run_path(dir));
   H5File file = H5File::create(replacement.temporary());
-  set_format(file, format, version);
+  set_format(file, run_format, run_version);
   file.write_texts("/case", {header.case_text});
   file.write_texts("/species", header.species);
   file.write_texts("/patches", header.patches);

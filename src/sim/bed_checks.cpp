@@ -12,7 +12,7 @@ namespace {
 
 // [1] of the radius. At the foot of the full charge grains of 5 MPa rest with up to 0.2 (LIGGGHTS
 // and pmr alike); a diameter taken for a radius gives 1.
-constexpr double largest_overlap = 0.5;
+constexpr double largest_overlap_of_bed = 0.5;
 
 void find_outside(const Case& c, const Particles& p, std::vector<Fault>& faults) {
   std::size_t outside = 0, first = 0;
@@ -36,7 +36,7 @@ void find_pairs(const Case& c, Bed& bed, std::vector<Fault>& faults) {
   double largest = 0.0;
   for (const auto& pair : physics::pairs_within(p, 0.0)) {
     const double ratio = -pair.gap / std::min(p.radius[pair.i], p.radius[pair.j]);
-    excessive += ratio > largest_overlap ? 1 : 0;
+    excessive += ratio > largest_overlap_of_bed ? 1 : 0;
     if (ratio <= largest) continue;
     largest = ratio;
     worst = pair;
@@ -55,10 +55,10 @@ void find_pairs(const Case& c, Bed& bed, std::vector<Fault>& faults) {
 void find_in_walls(const Case& c, Bed& bed, std::vector<Fault>& faults) {
   const auto is_there = [&](const Surface& surface) { return is_present(surface, bed.time); };
   const auto found =
-      physics::wall_overlaps(bed.particles, c.walls, bed.time, largest_overlap, is_there);
+      physics::wall_overlaps(bed.particles, c.walls, bed.time, largest_overlap_of_bed, is_there);
   bed.overlap_ratio = std::max(bed.overlap_ratio, found.largest);
   for (const auto& deep : found.excessive)
-    faults.push_back({c.bed, "", to_text(deep, bed.particles, c.walls, largest_overlap)});
+    faults.push_back({c.bed, "", to_text(deep, bed.particles, c.walls, largest_overlap_of_bed)});
 }
 
 }  // namespace

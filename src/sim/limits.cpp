@@ -17,7 +17,7 @@
 namespace pmr::sim {
 namespace {
 
-constexpr double largest_overlap = 0.05;  // [1] of the radius; common limit of soft spheres
+constexpr double usual_overlap = 0.05;  // [1] of the radius; common limit of soft spheres
 // Fewer than one particle in a thousand outside a fit moves no figure of a run: not told.
 constexpr double worth_telling = 1e-3;  // [1] of the particles
 
@@ -32,7 +32,7 @@ bool is_worth_telling(std::size_t part, std::size_t all) {
 }
 
 void check_mechanics(const Case& c, const State& state, std::vector<std::string>& limits) {
-  if (state.extremes.overlap_ratio > largest_overlap)
+  if (state.extremes.overlap_ratio > usual_overlap)
     limits.push_back(
         fmt::format("The largest overlap was {:.1f} % of the radius; the soft contact "
                     "model is trusted up to 5 %.",

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "chemistry/gas.hpp"
 #include "chemistry/redox.hpp"
 #include "chemistry/solids.hpp"
 #include "coupling/thermal_state.hpp"
+#include "pmr/base/constants.hpp"
 
 namespace pmr::sim {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double lowest_pressure = 1e-7;  // [Pa] of oxygen around an ideal reactor
 
 // All of a species as one solid, as it was charged.

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-namespace pmr::statistics {
+#include "pmr/base/constants.hpp"
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+namespace pmr::statistics {
 
 double quantile(std::span<const double> sorted, double probability) {
   if (sorted.empty()) return nan;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <openturns/CorrelationAnalysis.hxx>
 
+#include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/random.hpp"
 #include "statistics/band.hpp"
@@ -13,7 +13,6 @@
 namespace pmr::statistics {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t resamples = 400;
 
 using Column = std::vector<double>;

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 #include "statistics/band.hpp"
 
 namespace pmr::statistics {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double same_point = 1e-9;  // of the spans [1]
 
 // Runs at one point.

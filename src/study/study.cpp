@@ -222,7 +222,7 @@ Study read_root(casefile::Reading& reading, const Node& document, const fs::path
   return study;
 }
 
-std::string text_of(const fs::path& file) {
+std::string study_text(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file))
     throw CaseError({{file.string(), "", "cannot be read; wanted a study file"}});
@@ -247,14 +247,14 @@ void apply(Study& study, const std::string& set) {
 
 // A study may lie on another: tables are merged, anything else is replaced.
 Node document_of(const fs::path& file) {
-  Node document = casefile::parse_toml(text_of(file), file.string());
+  Node document = casefile::parse_toml(study_text(file), file.string());
   const Node* extends = document.find("extends");
   if (extends == nullptr) return document;
   const fs::path base_file = fs::absolute(file).parent_path() / extends->text;
   if (extends->kind != Node::Kind::string || !fs::is_regular_file(base_file))
     throw CaseError(
         {{to_string(extends->place), "extends", "there is no study file " + base_file.string()}});
-  Node base = casefile::parse_toml(text_of(base_file), base_file.string());
+  Node base = casefile::parse_toml(study_text(base_file), base_file.string());
   if (const auto found = base.members.find("case"); found != base.members.end())
     found->second.text = fs::absolute(base_file.parent_path() / found->second.text).string();
   document.members.erase("extends");

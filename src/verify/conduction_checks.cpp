@@ -20,8 +20,8 @@ using namespace physics;
 
 constexpr double ideal_solid = std::numeric_limits<double>::infinity();  // [W/m/K] of a solid
 
-Check relative(std::string id, std::string what, double measured,
-               std::pair<double, double> expected, std::string unit) {
+Check closed_form(std::string id, std::string what, double measured,
+                  std::pair<double, double> expected, std::string unit) {
   const char* const source = "closed form";
   return {std::move(id),
           std::move(what),
@@ -73,14 +73,14 @@ void add_gap(std::vector<Check>& checks) {
   for (const auto& [h, conductance] : lenses) {
     const GapPair pair{1.0, plane_wall, 1.0 + h, 0.0, solid_fraction_of_lens(0.6, 1.0 + h)};
     const GapMedium medium{ideal_solid, ideal_solid, 1.0, 0.0};
-    checks.push_back(relative("conduction.lens." + std::to_string(std::lround(h * 1000)) + "e-3",
-                              "Gas lens between an ideal sphere and a plane",
-                              gap_conductance(pair, medium), {conductance, 2e-5}, "1"));
+    checks.push_back(closed_form("conduction.lens." + std::to_string(std::lround(h * 1000)) + "e-3",
+                                 "Gas lens between an ideal sphere and a plane",
+                                 gap_conductance(pair, medium), {conductance, 2e-5}, "1"));
   }
   const GapPair pair{1.0, 1.0, 2.0, 0.0, solid_fraction_of_lens(0.6, 1.0)};
-  checks.push_back(relative("conduction.lens.jump", "Gas lens of touching spheres, jump 0.01 R",
-                            gap_conductance(pair, {ideal_solid, ideal_solid, 1.0, 0.01}),
-                            {11.096545, 2e-5}, "1"));
+  checks.push_back(closed_form("conduction.lens.jump", "Gas lens of touching spheres, jump 0.01 R",
+                               gap_conductance(pair, {ideal_solid, ideal_solid, 1.0, 0.01}),
+                               {11.096545, 2e-5}, "1"));
 }
 
 void add_softening(std::vector<Check>& checks) {
@@ -174,9 +174,9 @@ void add_convective_face(std::vector<Check>& checks) {
   for (const auto& [z, theta] : values) {
     wall.advance(load, 100.0 * z * z);
     checks.push_back(
-        relative("conduction.wall.convective." + std::to_string(std::lround(10.0 * z)) + "e-1",
-                 "Face of a semi-infinite wall under a film, 1 - exp(z^2) erfc(z)",
-                 (wall.face() - wall_energy_zero) / 100.0, {theta, 5e-3}, "1"));
+        closed_form("conduction.wall.convective." + std::to_string(std::lround(10.0 * z)) + "e-1",
+                    "Face of a semi-infinite wall under a film, 1 - exp(z^2) erfc(z)",
+                    (wall.face() - wall_energy_zero) / 100.0, {theta, 5e-3}, "1"));
   }
 }
 
@@ -187,19 +187,19 @@ void add_step_and_flux(std::vector<Check>& checks) {
       {"200ms", 0.2}, {"10s", 10.0}, {"600s", 600.0}};
   for (const auto& [name, t] : step_times) {
     step.advance(held, t);
-    checks.push_back(relative(std::string("conduction.wall.step.") + name,
-                              "Flux after a step of 1000 K, k dT/sqrt(pi alpha t)",
-                              step.flux_in(held),
-                              {k * 1000.0 / std::sqrt(pi * diffusivity * t), 5e-3}, "W/m2"));
+    checks.push_back(closed_form(std::string("conduction.wall.step.") + name,
+                                 "Flux after a step of 1000 K, k dT/sqrt(pi alpha t)",
+                                 step.flux_in(held),
+                                 {k * 1000.0 / std::sqrt(pi * diffusivity * t), 5e-3}, "W/m2"));
   }
   const std::pair<const char*, double> flux_times[] = {
       {"50ms", 0.05}, {"10s", 10.0}, {"600s", 600.0}};
   for (const auto& [name, t] : flux_times) {
     heated.advance(flux, t);
-    checks.push_back(relative(std::string("conduction.wall.flux.") + name,
-                              "Rise of the face under 10 kW/m2, 2 q sqrt(alpha t/pi)/k",
-                              heated.face() - wall_energy_zero,
-                              {2.0 * 1e4 * std::sqrt(diffusivity * t / pi) / k, 5e-3}, "K"));
+    checks.push_back(closed_form(std::string("conduction.wall.flux.") + name,
+                                 "Rise of the face under 10 kW/m2, 2 q sqrt(alpha t/pi)/k",
+                                 heated.face() - wall_energy_zero,
+                                 {2.0 * 1e4 * std::sqrt(diffusivity * t / pi) / k, 5e-3}, "K"));
   }
 }
 

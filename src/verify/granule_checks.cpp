@@ -10,9 +10,9 @@
 namespace pmr::verify {
 namespace {
 
-constexpr double T = 400.0 + zero_celsius;  // [K]
-constexpr double start = 0.2264;            // [1] delta in equilibrium with air
-constexpr double low = 1e3, high = 21e3;    // [Pa] of oxygen
+constexpr double granule_temperature = 400.0 + zero_celsius;  // [K]
+constexpr double start = 0.2264;                              // [1] delta in equilibrium with air
+constexpr double low = 1e3, high = 21e3;                      // [Pa] of oxygen
 
 // Runge-Kutta of fourth order, steps of 1 ms: its error is below 1e-10 (halving changes the 12th
 // digit).
@@ -22,7 +22,9 @@ class Integration {
   void advance(double duration, double pressure) {
     const auto steps = static_cast<int>(std::lround(duration / 1e-3));
     const double h = duration / steps;
-    const auto rate = [&](double d) { return chemistry::delta_rate(material_, {T, d, pressure}); };
+    const auto rate = [&](double d) {
+      return chemistry::delta_rate(material_, {granule_temperature, d, pressure});
+    };
     for (int k = 0; k < steps; ++k) {
       const double k1 = rate(delta), k2 = rate(delta + 0.5 * h * k1);
       const double k3 = rate(delta + 0.5 * h * k2), k4 = rate(delta + h * k3);
@@ -42,7 +44,8 @@ Case in_oxygen() {
   c.species[0].initial_delta = start;
   c.materials.list[0].redox->density_delta =
       start;  // mass and formula units as the lone rate has them
-  c.chamber = ChamberCase{1e9, 1.0, low, 1.0, T, 0.0, std::nullopt, std::nullopt, 0.0};
+  c.chamber =
+      ChamberCase{1e9, 1.0, low, 1.0, granule_temperature, 0.0, std::nullopt, std::nullopt, 0.0};
   return c;
 }
 
@@ -50,8 +53,8 @@ Case in_oxygen() {
 
 std::vector<Check> granule_checks() {
   ThermalScene scene(in_oxygen());
-  scene.add(Vec3(0, 0, 0), T);
-  scene.add_plate(T);
+  scene.add(Vec3(0, 0, 0), granule_temperature);
+  scene.add_plate(granule_temperature);
   scene.begin();
   const Material& material = scene.setup.materials.list[0];
   Integration alone(material);

@@ -13,11 +13,6 @@
 namespace pmr::verify {
 namespace {
 
-constexpr double gap = 1e-9;  // [m] between the surfaces at the start
-constexpr const char* liggghts = "LIGGGHTS 3.8.0 (Debian), hertz + tangential history + epsd2";
-
-double radius_of(SpeciesIndex species) { return species == bead ? 1.495e-3 : 0.735e-3; }
-
 // --- Head on, each sphere at half the relative speed.
 struct HeadOn {
   const char* id;
@@ -35,7 +30,7 @@ constexpr std::array head_on{
 
 void check_head_on(const HeadOn& t, std::vector<Check>& checks) {
   Case c = study_case(t.time_step);
-  const double x = radius_of(t.species) + 0.5 * gap;
+  const double x = radius_of(t.species) + 0.5 * start_gap;
   add_particle(c, t.species, Vec3(-x, 0, 0), Vec3(0.5 * t.speed, 0, 0));
   add_particle(c, t.species, Vec3(x, 0, 0), Vec3(-0.5 * t.speed, 0, 0));
   Scene scene(c);
@@ -71,7 +66,7 @@ void check_oblique(const Oblique& t, std::vector<Check>& checks) {
   Case c = study_case(dt);
   add_floor(c);
   const double angle = t.angle * pi / 180.0;
-  add_particle(c, t.species, Vec3(0, 0, radius_of(t.species) + gap),
+  add_particle(c, t.species, Vec3(0, 0, radius_of(t.species) + start_gap),
                Vec3(std::sin(angle), 0, -std::cos(angle)));
   Scene scene(c);
   watch_collision(scene, dt, 5000);
@@ -105,8 +100,8 @@ void check_spheres_and_plane(std::vector<Check>& checks) {
   const double glass_mass = 2800.0 * 4.0 / 3.0 * pi * 1e-6;
   const double glass_young = 0.5 * 48e9 / (1.0 - 0.2 * 0.2);
   Case two = one_material_case({0.01, 48e9, 0.2, 2800.0, rigid, {0.35, 0.0, 1.0}}, 2e-8);
-  add_particle(two, 0, Vec3(-0.01 - 0.5 * gap, 0, 0), Vec3(10, 0, 0));
-  add_particle(two, 0, Vec3(0.01 + 0.5 * gap, 0, 0), Vec3(-10, 0, 0));
+  add_particle(two, 0, Vec3(-0.01 - 0.5 * start_gap, 0, 0), Vec3(10, 0, 0));
+  add_particle(two, 0, Vec3(0.01 + 0.5 * start_gap, 0, 0), Vec3(-10, 0, 0));
   Scene glass(two);
   check_peak("mechanics.chung_ooi.1", "Two glass spheres head on at 10 m/s each",
              {0.5 * glass_mass, 0.005, glass_young}, 20.0, glass, 2e-8, checks);
@@ -114,7 +109,7 @@ void check_spheres_and_plane(std::vector<Check>& checks) {
   const double metal_mass = 2699.0 * 4.0 / 3.0 * pi * 1e-3;
   Case plane = one_material_case({0.1, 70e9, 0.3, 2699.0, rigid, {0.0, 0.0, 1.0}}, 2e-7);
   add_floor(plane);
-  add_particle(plane, 0, Vec3(0, 0, 0.1 + gap), Vec3(0, 0, -0.2));
+  add_particle(plane, 0, Vec3(0, 0, 0.1 + start_gap), Vec3(0, 0, -0.2));
   Scene metal(plane);
   check_peak("mechanics.chung_ooi.2", "An aluminium sphere on a rigid plane at 0.2 m/s",
              {metal_mass, 0.1, 70e9 / (1.0 - 0.09)}, 0.2, metal, 2e-7, checks);

@@ -9,11 +9,7 @@
 namespace pmr::verify {
 namespace {
 
-constexpr double gap = 1e-9;  // [m] between the surfaces at the start
-constexpr const char* liggghts = "LIGGGHTS 3.8.0 (Debian), hertz + tangential history + epsd2";
 constexpr const char* liggghts_cdt = "LIGGGHTS 3.8.0 (Debian), hertz + tangential history + cdt";
-
-double radius_of(SpeciesIndex species) { return species == bead ? 1.495e-3 : 0.735e-3; }
 
 // --- Rolling and sliding on the coated wall from 0.2 m/s, dt 2e-5 s, starting at the overlap that
 // carries the weight. LIGGGHTS winds the rolling spring in its set-up already, which saves it half
@@ -106,9 +102,9 @@ void check_directional_collision(std::vector<Check>& checks) {
   constexpr double dt = 1e-6;
   Case c = study_case(dt);
   c.models.mechanics.contact.rolling = Cdt{};
-  add_particle(c, bead, Vec3(-radius_of(bead) - 0.5 * gap, 0, 0), Vec3(0.3, 0, 0),
+  add_particle(c, bead, Vec3(-radius_of(bead) - 0.5 * start_gap, 0, 0), Vec3(0.3, 0, 0),
                Vec3(150, 60, -40));
-  add_particle(c, granule, Vec3(radius_of(granule) + 0.5 * gap, 0, 0), Vec3(-0.3, 0.2, 0),
+  add_particle(c, granule, Vec3(radius_of(granule) + 0.5 * start_gap, 0, 0), Vec3(-0.3, 0.2, 0),
                Vec3(-80, 120, 300));
   Scene scene(c);
   watch_collision(scene, dt, 6000);

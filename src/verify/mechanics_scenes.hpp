@@ -9,6 +9,10 @@ namespace pmr::verify {
 // Species of the demonstrator study's table 1, its contact parameters, and the coated wall.
 inline constexpr SpeciesIndex granule = 0, bead = 1;
 inline constexpr std::uint32_t coated_wall = 2;  // material
+inline double radius_of(SpeciesIndex species) { return species == bead ? 1.495e-3 : 0.735e-3; }
+inline constexpr double start_gap = 1e-9;  // [m] between surfaces at the start
+inline constexpr const char* liggghts =
+    "LIGGGHTS 3.8.0 (Debian), hertz + tangential history + epsd2";
 
 // No walls, no gravity, no particles; moduli softened to 5 MPa as in the study.
 Case study_case(double time_step);

@@ -1,8 +1,11 @@
 // Constants of nature, SI. CODATA 2018 exact values where the SI defines them.
 #pragma once
+#include <limits>
 #include <numbers>
 
 namespace pmr {
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();  // what is not there
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double pi = std::numbers::pi;                // [1]
 inline constexpr double avogadro = 6.02214076e23;             // [1/mol], exact
 inline constexpr double boltzmann = 1.380649e-23;             // [J/K], exact
