@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-casefile::StlFile read(const std::string& bytes) {
+casefile::StlFile read_text(const std::string& bytes) {
   const std::string file = test::temporary("pmr_test_text.stl");
   std::ofstream(file, std::ios::binary) << bytes;
   casefile::StlFile stl = casefile::read_stl(file, 1e-3);
@@ -21,7 +21,7 @@ casefile::StlFile read(const std::string& bytes) {
 }
 
 std::string problem(const std::string& bytes) {
-  const casefile::StlFile stl = read(bytes);
+  const casefile::StlFile stl = read_text(bytes);
   return stl.problems.empty() ? "" : stl.problems.front();
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("text in small and capital letters, behind blank lines, with CRLF, and
   for (const std::string& bytes :
        {"solid\n" + facet + "endsolid\n", capitals, "\n\n\t  solid part 2\n" + facet + "endsolid",
         "\xEF\xBB\xBF" + windows, binary(1, 1)}) {
-    const casefile::StlFile stl = read(bytes);
+    const casefile::StlFile stl = read_text(bytes);
     REQUIRE(stl.problems.empty());
     REQUIRE(stl.triangles.size() == 1);
     CHECK(stl.triangles[0][1].isApprox(Vec3(0.01, 0, 0), 1e-7));
@@ -61,7 +61,7 @@ TEST_CASE("text in small and capital letters, behind blank lines, with CRLF, and
 }
 
 TEST_CASE("several solids in one file are one mesh") {
-  CHECK(read("solid a\n" + facet + "endsolid a\nsolid b\n" + facet + facet + "endsolid b\n")
+  CHECK(read_text("solid a\n" + facet + "endsolid a\nsolid b\n" + facet + facet + "endsolid b\n")
             .triangles.size() == 3);
 }
 

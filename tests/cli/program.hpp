@@ -91,6 +91,7 @@ inline std::string hash_in(const std::filesystem::path& folder) {
 }
 
 inline const std::filesystem::path source_dir = PMR_SOURCE_DIR;
+inline const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();  // a case
 
 // A folder that goes with the value.
 struct Scratch {

@@ -5,7 +5,6 @@
 #include "program.hpp"
 
 TEST_CASE("A run from a bed says where it came from, and no longer needs it") {
-  const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
   const Scratch scratch("bed");
   const std::string source = (scratch.path / "source").string();
   const std::string out = (scratch.path / "out").string();
@@ -27,7 +26,6 @@ TEST_CASE("A run from a bed says where it came from, and no longer needs it") {
 }
 
 TEST_CASE("A bed that is not there is refused, and nothing is written") {
-  const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
   const Scratch scratch("nobed");
   const Said said =
       pmr_says("run " + tiny + " --bed /nowhere/bed -o " + (scratch.path / "out").string());

@@ -10,7 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Contains;
 
-const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
 const std::string often = "output.checkpoint_wall_time=\"50 ms\"";
 
 const std::string& hash_of_whole_run() {

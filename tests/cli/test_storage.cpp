@@ -8,19 +8,18 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Contains;
 
-const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
-const std::string often = " --set 'output.checkpoint_wall_time = \"1 ms\"'";
+const std::string save_often = " --set 'output.checkpoint_wall_time = \"1 ms\"'";
 
 }  // namespace
 
 TEST_CASE("A run on a full disk ends with 3, says how to go on, and goes on with the same bits") {
   const Scratch scratch("full");
   const fs::path whole = scratch.path / "whole", cut = scratch.path / "cut";
-  REQUIRE(pmr_says("run " + tiny + " -o " + whole.string() + often).status == 0);
+  REQUIRE(pmr_says("run " + tiny + " -o " + whole.string() + save_often).status == 0);
   // In blocks of 512 bytes: files grow to three quarters of what they have to.
   const auto blocks = fs::file_size(whole / "run.h5") * 3 / 4 / 512;
   const std::string limit = "ulimit -f " + std::to_string(blocks) + "; ";
-  const Said said = pmr_says("run " + tiny + " -o " + cut.string() + often, limit);
+  const Said said = pmr_says("run " + tiny + " -o " + cut.string() + save_often, limit);
   INFO(said.text);
   CHECK(said.status == 3);
   CHECK_THAT(said.text, Contains("File too large"));

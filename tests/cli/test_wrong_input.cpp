@@ -20,8 +20,6 @@ void refuses(const std::string& arguments, const std::string& wanted, int faults
   CHECK_FALSE(fs::exists(out));
 }
 
-const std::string tiny = (source_dir / "tests/sim/tiny.toml").string();
-
 std::string with(const std::string& set) { return tiny + " --set '" + set + "'"; }
 
 }  // namespace

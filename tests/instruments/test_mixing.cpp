@@ -10,7 +10,7 @@ using namespace pmr::instruments;
 
 namespace {
 
-const Sides pair{Side::beads, Side::granules};
+const Sides beads_to_granules{Side::beads, Side::granules};
 constexpr double bead = 5e-5, granule = 6e-6;  // [kg]
 
 // 16 sections of the same number of grains, species drawn with probability `share` of beads above
@@ -76,5 +76,5 @@ TEST_CASE("Lacey's index of a partial mixture lies between") {
 
 TEST_CASE("Lacey's index is not a number where nothing can be mixed") {
   CHECK(std::isnan(lacey_index(drawn(1.0, 1.0, 10, 4))));
-  CHECK(std::isnan(lacey_index(decompose(Particles{}, test::tool({0.5}), pair))));
+  CHECK(std::isnan(lacey_index(decompose(Particles{}, test::tool({0.5}), beads_to_granules))));
 }

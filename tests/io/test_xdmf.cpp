@@ -10,7 +10,7 @@ using namespace pmr;
 
 namespace {
 
-std::string slurp(const std::filesystem::path& path) {
+std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -43,7 +43,7 @@ std::string sample_text(const std::filesystem::path& dir) {
                                         test::random_snapshot(0.0, 0),
                                         test::random_snapshot(0.1, 9)};
   io::append_run(dir, test::rows(0.0, 2), three);
-  return slurp(dir / "run.xdmf");
+  return text_of(dir / "run.xdmf");
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ TEST_CASE("Every particle is a cell of its own, which a dataset names") {
 TEST_CASE("An empty run has an empty collection") {
   const test::Folder folder("xdmf_empty");
   io::create_run(folder.path(), test::header());
-  const std::string text = slurp(folder.path() / "run.xdmf");
+  const std::string text = text_of(folder.path() / "run.xdmf");
   CHECK(is_well_formed(text));
   CHECK(text.find("Polyvertex") == std::string::npos);
 }

@@ -10,7 +10,7 @@ using namespace pmr::report;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
+bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -56,11 +56,11 @@ TEST_CASE("Each reacting species has its own delta, oxygen, course and picture")
   const RunData run = with_ceria();
   REQUIRE(run.reactive() == std::vector<std::size_t>{1, 2});
   const std::string html = report_page(run);
-  CHECK(contains(html, "The bed at the end, by δ of SrFeO₃"));
-  CHECK(contains(html, "The bed at the end, by δ of CeO₂"));
-  CHECK(contains(html, "δ of CeO₂"));
-  CHECK(contains(html, "released by CeO₂"));
-  CHECK(contains(html, "Oxygen released by CeO₂"));
+  CHECK(has(html, "The bed at the end, by δ of SrFeO₃"));
+  CHECK(has(html, "The bed at the end, by δ of CeO₂"));
+  CHECK(has(html, "δ of CeO₂"));
+  CHECK(has(html, "released by CeO₂"));
+  CHECK(has(html, "Oxygen released by CeO₂"));
   // Per kg of what reacts in all.
   const double mass = run.species[1].mass + run.species[2].mass;
   const double released = run.summary.number("chemistry/oxygen_released");
@@ -74,12 +74,12 @@ TEST_CASE("Each reacting species has its own delta, oxygen, course and picture")
 TEST_CASE("With one reacting species its course and picture need no name") {
   const RunData run = real_run("one oxide");
   const std::string html = report_page(run);
-  CHECK(contains(html, "The bed at the end, by δ</h3>"));
-  CHECK_FALSE(contains(html, "by δ of"));
+  CHECK(has(html, "The bed at the end, by δ</h3>"));
+  CHECK_FALSE(has(html, "by δ of"));
 }
 
 TEST_CASE("Where heat went names all that gave and all that received") {
   const std::string html = report_page(with_ceria());
-  CHECK(contains(html, "through the SrFeO₃ and CeO₂"));
-  CHECK(contains(html, "Al₂O₃ gave off"));
+  CHECK(has(html, "through the SrFeO₃ and CeO₂"));
+  CHECK(has(html, "Al₂O₃ gave off"));
 }

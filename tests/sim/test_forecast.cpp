@@ -36,14 +36,14 @@ Run carry_out(const Case& c) {
   return run;
 }
 
-Case tiny() {
+Case tiny_case() {
   return casefile::load_case(std::filesystem::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml");
 }
 
 }  // namespace
 
 TEST_CASE("A forecast knows the intervals of the bed at rest, and what is left never grows") {
-  const Case c = tiny();
+  const Case c = tiny_case();
   const Run run = carry_out(c);
   const sim::Forecast whole = sim::forecast(c, unit);
   const sim::Forecast one = sim::forecast_rest(c, unit, [&] {
@@ -68,7 +68,7 @@ TEST_CASE("A bed comes to rest when it was foreseen, within a factor of 1.5") {
 }
 
 TEST_CASE("Costs of every stage are measured for a case that has them all") {
-  const sim::UnitCosts costs = sim::measure_costs(tiny());
+  const sim::UnitCosts costs = sim::measure_costs(tiny_case());
   for (const double cost : {costs.particle_step, costs.ray, costs.links, costs.network}) {
     CHECK(cost > 1e-10);
     CHECK(cost < 1e-2);

@@ -18,7 +18,7 @@ using pmr::test::Folder;
 
 namespace {
 
-const std::atomic<bool> never{false};
+const std::atomic<bool> runs_on{false};
 
 // Beads pour into the tiny cup while it mixes; the granules lie there already.
 std::string rainy_text() {
@@ -46,7 +46,7 @@ TEST_CASE("Poured particles are booked at every step: alive, lost or yet to come
   CHECK(simulation.state().particles.size() == 120);
   CHECK(simulation.state().waiting.size() == 20);
   std::size_t partly = 0;
-  simulation.run(never, [&](const sim::Simulation& now) {
+  simulation.run(runs_on, [&](const sim::Simulation& now) {
     const sim::Balance books = sim::close_books(c, now.state());
     CHECK(books.inserted == 140);
     CHECK(books.closes());
@@ -60,7 +60,7 @@ TEST_CASE("A run that is stopped while it rains, and resumed on one thread, has 
   const Case c = rainy();
   const Folder whole("whole"), cut("cut");
   sim::Simulation first(c, whole.path);
-  first.run(never, [](const auto&) {});
+  first.run(runs_on, [](const auto&) {});
   {
     std::atomic<bool> stop{false};
     sim::Simulation second(c, cut.path);
@@ -70,7 +70,7 @@ TEST_CASE("A run that is stopped while it rains, and resumed on one thread, has 
   }
   const ThreadLimit limit(1);
   sim::Simulation third(c, cut.path, io::load_checkpoint(cut.path));
-  third.run(never, [](const auto&) {});
+  third.run(runs_on, [](const auto&) {});
   CHECK(io::state_hash(third.state()) == io::state_hash(first.state()));
 }
 

@@ -22,16 +22,16 @@ using pmr::test::Folder;
 
 namespace {
 
-const std::atomic<bool> never{false};
+const std::atomic<bool> no_stop{false};
 
-Case tiny() { return casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml"); }
+Case whole_case() { return casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml"); }
 
 std::uint64_t hash_of_whole_run(int threads, const std::string& name) {
   const ThreadLimit limit(threads);
   const Folder folder(name);
-  const Case c = tiny();
+  const Case c = whole_case();
   sim::Simulation simulation(c, folder.path);
-  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  REQUIRE(simulation.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
   return io::state_hash(simulation.state());
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("A run has the same bits on one and on two threads") {
 
 TEST_CASE("A run that is stopped in any phase and resumed has the bits of one that is not") {
   const std::uint64_t whole = hash_of_whole_run(2, "whole");
-  const Case c = tiny();
+  const Case c = whole_case();
   for (const std::uint64_t stop_after : {3U, 15U, 30U, 60U}) {
     const Folder folder("stopped");
     {
@@ -56,14 +56,14 @@ TEST_CASE("A run that is stopped in any phase and resumed has the bits of one th
     State state = io::load_checkpoint(folder.path);
     INFO("stopped at interval " << state.interval << ", t = " << state.time << " s");
     sim::Simulation second(c, folder.path, std::move(state));
-    REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+    REQUIRE(second.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
     CHECK(io::state_hash(second.state()) == whole);
   }
 }
 
 TEST_CASE("A run that is stopped within an interval is that of the last complete one") {
   const std::uint64_t whole = hash_of_whole_run(2, "uncut");
-  const Case c = tiny();
+  const Case c = whole_case();
   for (int k = 0; k < 8; ++k) {
     const Folder folder("cut");
     {
@@ -88,17 +88,17 @@ TEST_CASE("A run that is stopped within an interval is that of the last complete
     const io::Series series = io::read_series(folder.path);
     CHECK(series.values("time").back() == state.time);
     sim::Simulation second(c, folder.path, std::move(state));
-    REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+    REQUIRE(second.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
     CHECK(io::state_hash(second.state()) == whole);
   }
 }
 
 TEST_CASE("An interval that fails leaves the last complete one, saved") {
-  Case c = tiny();
+  Case c = whole_case();
   const Folder folder("fails");
   sim::Simulation simulation(c, folder.path);
   std::uint64_t last = 0;
-  CHECK_THROWS_AS(simulation.run(never,
+  CHECK_THROWS_AS(simulation.run(no_stop,
                                  [&](const sim::Simulation& now) {
                                    last = io::state_hash(now.state());
                                    // Nobody's heat can be computed from here on.
@@ -111,13 +111,13 @@ TEST_CASE("An interval that fails leaves the last complete one, saved") {
 }
 
 TEST_CASE("A run that ends in motion records the kinetic energy that it ends with") {
-  Case c = tiny();
+  Case c = whole_case();
   c.react.reset();
   c.mix->duration = 0.03;
   c.mix->not_before = 1.0;
   const Folder folder("moving");
   sim::Simulation simulation(c, folder.path);
-  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  REQUIRE(simulation.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
   const double energy = physics::kinetic_energy(simulation.state().particles);
   CHECK(energy > 1e-6);  // [J] 6 g that fell for 30 ms
   CHECK(io::read_series(folder.path).values("kinetic_energy").back() == energy);
@@ -125,9 +125,9 @@ TEST_CASE("A run that ends in motion records the kinetic energy that it ends wit
 
 TEST_CASE("The books of a whole run close, and no particle is lost") {
   const Folder folder("books");
-  const Case c = tiny();
+  const Case c = whole_case();
   sim::Simulation simulation(c, folder.path);
-  simulation.run(never, [](const auto&) {});
+  simulation.run(no_stop, [](const auto&) {});
   const sim::Balance balance = sim::close_books(c, simulation.state());
   CHECK(balance.energy_relative < sim::energy_limit);
   CHECK(balance.oxygen_relative < sim::oxygen_limit);
@@ -147,7 +147,7 @@ TEST_CASE(
   const Case c = casefile::load_case(fs::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml", sets);
   const Folder whole("shells"), stopped("shells_stopped");
   sim::Simulation simulation(c, whole.path);
-  REQUIRE(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+  REQUIRE(simulation.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
   const sim::Balance balance = sim::close_books(c, simulation.state());
   CHECK(balance.energy_relative < sim::energy_limit);
   CHECK(balance.oxygen_relative < sim::oxygen_limit);
@@ -160,6 +160,6 @@ TEST_CASE(
     first.run(stop, [&](const sim::Simulation& now) { stop = now.state().interval >= 30; });
   }
   sim::Simulation second(c, stopped.path, io::load_checkpoint(stopped.path));
-  REQUIRE(second.run(never, [](const auto&) {}) == sim::Ending::completed);
+  REQUIRE(second.run(no_stop, [](const auto&) {}) == sim::Ending::completed);
   CHECK(io::state_hash(second.state()) == io::state_hash(simulation.state()));
 }

@@ -8,13 +8,13 @@ using namespace pmr::statistics;
 
 namespace {
 
-const std::vector<Span> box = {{-1.0, 3.0}, {1e-3, 10.0, true}, {20.0, 21.0}};
+const std::vector<Span> spans = {{-1.0, 3.0}, {1e-3, 10.0, true}, {20.0, 21.0}};
 
 // How often each of `count` strata of a variable is hit.
 std::vector<int> hits(const Points& points, std::size_t variable) {
   std::vector<int> found(points.size(), 0);
   for (const std::vector<double>& point : points) {
-    const double fraction = fraction_at(box[variable], point[variable]);
+    const double fraction = fraction_at(spans[variable], point[variable]);
     ++found.at(static_cast<std::size_t>(fraction * static_cast<double>(points.size())));
   }
   return found;
@@ -25,9 +25,9 @@ double least_distance(const Points& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       double square = 0.0;
-      for (std::size_t k = 0; k < box.size(); ++k)
-        square +=
-            std::pow(fraction_at(box[k], points[i][k]) - fraction_at(box[k], points[j][k]), 2.0);
+      for (std::size_t k = 0; k < spans.size(); ++k)
+        square += std::pow(
+            fraction_at(spans[k], points[i][k]) - fraction_at(spans[k], points[j][k]), 2.0);
       least = std::min(least, std::sqrt(square));
     }
   return least;
@@ -37,31 +37,32 @@ double least_distance(const Points& points) {
 
 TEST_CASE("A Latin hypercube has one point in each stratum of each variable") {
   for (const std::size_t count : {1u, 2u, 3u, 20u, 50u}) {
-    const Points points = sample(Sequence::latin_hypercube, box, count, 5);
+    const Points points = sample(Sequence::latin_hypercube, spans, count, 5);
     REQUIRE(points.size() == count);
-    for (std::size_t k = 0; k < box.size(); ++k) {
+    for (std::size_t k = 0; k < spans.size(); ++k) {
       const std::vector<int> found = hits(points, k);
       CHECK(std::all_of(found.begin(), found.end(), [](int n) { return n == 1; }));
     }
   }
-  CHECK(sample(Sequence::latin_hypercube, std::vector{box[0]}, 7, 5).size() == 7);
+  CHECK(sample(Sequence::latin_hypercube, std::vector{spans[0]}, 7, 5).size() == 7);
 }
 
 TEST_CASE("A Latin hypercube depends on its seed alone") {
-  const Points first = sample(Sequence::latin_hypercube, box, 15, 5);
-  CHECK(sample(Sequence::latin_hypercube, box, 15, 6) != first);
-  CHECK(sample(Sequence::latin_hypercube, box, 15, 5) == first);
+  const Points first = sample(Sequence::latin_hypercube, spans, 15, 5);
+  CHECK(sample(Sequence::latin_hypercube, spans, 15, 6) != first);
+  CHECK(sample(Sequence::latin_hypercube, spans, 15, 5) == first);
 }
 
 TEST_CASE("Points of a Latin hypercube keep away from each other") {
   // 20 points in 3 variables: the least distance of 2000 Latin hypercubes of random permutations
   // had the mean 0.14 and was never above 0.27; phi_p is to do better than any of them.
   for (const std::uint64_t seed : {1u, 2u, 3u})
-    CHECK(least_distance(sample(Sequence::latin_hypercube, box, 20, seed)) > 0.27);
+    CHECK(least_distance(sample(Sequence::latin_hypercube, spans, 20, seed)) > 0.27);
 }
 
 TEST_CASE("Sobol's sequence starts at the centre and keeps its points when more are wanted") {
-  const Points few = sample(Sequence::sobol, box, 5, 1), many = sample(Sequence::sobol, box, 33, 2);
+  const Points few = sample(Sequence::sobol, spans, 5, 1),
+               many = sample(Sequence::sobol, spans, 33, 2);
   CHECK(std::equal(few.begin(), few.end(), many.begin()));
   // Halves of the spans, by logarithm for the second: sqrt(1e-3 * 10).
   CHECK(few[0][0] == Approx(1.0));
@@ -71,8 +72,8 @@ TEST_CASE("Sobol's sequence starts at the centre and keeps its points when more 
 
 TEST_CASE("Sobol's first 2^m - 1 points and the origin fill each of 2^m strata once") {
   // A (t, s)-sequence in base 2: each coordinate alone has t = 0 (Niederreiter 1992, ch. 4).
-  Points points = sample(Sequence::sobol, box, 31, 0);
-  points.push_back({box[0].low, box[1].low, box[2].low});
+  Points points = sample(Sequence::sobol, spans, 31, 0);
+  points.push_back({spans[0].low, spans[1].low, spans[2].low});
   for (const std::size_t k :
        {0u, 2u}) {  // points lie on the strata's borders: exact in binary here
     const std::vector<int> found = hits(points, k);
@@ -81,7 +82,7 @@ TEST_CASE("Sobol's first 2^m - 1 points and the origin fill each of 2^m strata o
 }
 
 TEST_CASE("A span's fractions and values are each other's inverse, and impossible spans are bugs") {
-  for (const Span& span : box)
+  for (const Span& span : spans)
     for (const double f : {0.0, 0.3, 1.0}) CHECK(fraction_at(span, value_at(span, f)) == Approx(f));
   CHECK_THROWS_AS(sample(Sequence::sobol, std::vector{Span{0.0, 1.0, true}}, 2, 0),
                   std::logic_error);

@@ -1,15 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "pmr/base/constants.hpp"
 #include "statistics/expression.hpp"
 
 using namespace pmr::statistics;
 
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 double value(const std::string& formula, std::vector<double> xy = {3.0, 2.0}) {
   return Expression(formula, {"x", "y"})(xy);
@@ -57,7 +55,7 @@ TEST_CASE("Names may be capitals, reserved words, functions or have points") {
 TEST_CASE("An expression knows the variables it uses") {
   const Expression expression("c + a*a", {"a", "b", "c"});
   CHECK(expression.variables_used() == std::vector<std::size_t>{0, 2});
-  CHECK(expression(std::vector{2.0, missing, 1.0}) == 5.0);
+  CHECK(expression(std::vector{2.0, pmr::nan, 1.0}) == 5.0);
   CHECK(Expression("7", {"a"}).variables_used().empty());
 }
 
@@ -65,8 +63,8 @@ TEST_CASE("A value that is no finite number is not a number") {
   for (const char* formula :
        {"log(-x)", "x/0", "sqrt(-x)", "(-8)^(1/3)", "0/0", "exp(1000*x)", "max(x, log(-1) + y)"})
     CHECK(std::isnan(value(formula)));
-  CHECK(std::isnan(value("max(x, y)", {1.0, missing})));
-  CHECK(std::isnan(value("min(x, y)", {missing, 1.0})));
+  CHECK(std::isnan(value("max(x, y)", {1.0, pmr::nan})));
+  CHECK(std::isnan(value("min(x, y)", {pmr::nan, 1.0})));
 }
 
 TEST_CASE("What is wrong with a formula is said in one line with its place") {

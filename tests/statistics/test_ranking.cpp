@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
@@ -12,8 +11,6 @@ using namespace pmr;
 using namespace pmr::statistics;
 
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 // Independent standard normal inputs (Box and Muller).
 Points normal_inputs(std::size_t runs, std::size_t dimension) {
@@ -75,8 +72,8 @@ TEST_CASE("A response that is not monotone warns with a small r2") {
 }
 
 TEST_CASE("Inputs that do not vary have no part, equal values share their rank, and NaN are out") {
-  Points inputs = {{1, 5}, {1, 5}, {2, 5}, {2, 5}, {3, 5}, {4, 5}, {missing, 5}, {1, 5}};
-  const std::vector<double> y = {10, 10, 20, 20, 30, 40, 50, missing};
+  Points inputs = {{1, 5}, {1, 5}, {2, 5}, {2, 5}, {3, 5}, {4, 5}, {pmr::nan, 5}, {1, 5}};
+  const std::vector<double> y = {10, 10, 20, 20, 30, 40, 50, pmr::nan};
   const Ranking ranking = rank(inputs, y);
   CHECK(ranking.left_out == 2);
   CHECK(ranking.inputs[0].coefficient == Approx(1.0));
@@ -96,7 +93,7 @@ TEST_CASE("Too few runs, or a response that does not vary, have no ranking") {
 
 TEST_CASE("Quantiles are those of type 7") {
   // By hand: place (n - 1) p = 0.15, 1.5, 2.85 between the sorted 1, 2, 4, 8; squares sum to 85.
-  const Band four = band(std::vector{8.0, missing, 1.0, 4.0, 2.0});
+  const Band four = band(std::vector{8.0, pmr::nan, 1.0, 4.0, 2.0});
   CHECK(four.count == 4);
   CHECK(four.p5 == Approx(1.15));
   CHECK(four.p50 == 3.0);
@@ -107,7 +104,7 @@ TEST_CASE("Quantiles are those of type 7") {
   CHECK(one.p5 == 6.0);
   CHECK(one.p95 == 6.0);
   CHECK(std::isnan(one.deviation));
-  const Band none = band(std::vector{missing});
+  const Band none = band(std::vector{pmr::nan});
   CHECK(none.count == 0);
   CHECK(std::isnan(none.p50));
   CHECK(std::isnan(none.mean));

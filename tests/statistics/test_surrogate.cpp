@@ -11,8 +11,6 @@ using namespace pmr::statistics;
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
 // Branin's function (Dixon & Szego, Towards Global Optimisation 2, 1978) on its box.
 const std::vector<Span> branin_box = {{-5.0, 10.0}, {0.0, 15.0}};
 double branin(const std::vector<double>& x) {
@@ -107,12 +105,12 @@ TEST_CASE("Too few or equal runs give a constant and say why") {
   const auto constant = [&](const Points& runs, const std::vector<double>& y) {
     return Surrogate(box, runs, y);
   };
-  const Surrogate none = constant({{0.1, 0.1}}, {missing});
+  const Surrogate none = constant({{0.1, 0.1}}, {pmr::nan});
   CHECK(none.basis().left_out == 1);
   CHECK(none.basis().why_constant == "no run has a finite response");
   CHECK(std::isnan(none.predict(std::vector{0.5, 0.5}).mean));
 
-  const Surrogate one = constant({{0.1, 0.1}, {0.2, 0.3}}, {7.0, missing});
+  const Surrogate one = constant({{0.1, 0.1}, {0.2, 0.3}}, {7.0, pmr::nan});
   CHECK(one.basis().why_constant == "1 distinct point where 2 variables need 4");
   CHECK(one.predict(std::vector{0.5, 0.5}).mean == 7.0);
   CHECK(std::isnan(one.predict(std::vector{0.5, 0.5}).deviation));
@@ -142,7 +140,7 @@ TEST_CASE("Runs that gave no number are left out and counted") {
   std::vector<double> y = responses(branin, runs);
   const Points fewer(runs.begin() + 2, runs.end());
   const Surrogate expected(branin_box, fewer, std::vector<double>(y.begin() + 2, y.end()));
-  y[0] = missing;
+  y[0] = pmr::nan;
   y[1] = std::numeric_limits<double>::infinity();
   const Surrogate surrogate(branin_box, runs, y);
   CHECK(surrogate.basis().left_out == 2);
