@@ -8,12 +8,15 @@
 
 #include "instruments/section_ratios.hpp"
 #include "io/series.hpp"
+#include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/storage_error.hpp"
 
 namespace pmr::instruments {
 namespace {
+
+constexpr std::size_t layers_of_contacts = 10;  // [1] enough to see a trend over the height
 
 // A table that grows by rows.
 class TableWriter {
@@ -79,6 +82,11 @@ std::optional<BedSections> decompose(const Case& setup, const Particles& bed) {
   return decompose(as_stated(setup, bed), *setup.decomposition, *sides);
 }
 
+std::vector<ContactLayer> contact_layers(const Case& setup, const Particles& bed) {
+  const Vec3 up = physics::up_against(setup.gravity).value_or(Vec3::UnitZ());
+  return contact_layers(bed, setup.species.size(), up, layers_of_contacts);
+}
+
 io::Series layer_table(const BedSections& sections, const Decomposition& tool) {
   TableWriter table({{"layer", "1"},
                      {"mass", "kg"},
@@ -136,6 +144,11 @@ void write_instruments(const std::filesystem::path& dir, const Case& setup,
   if (const auto sections = decompose(setup, bed)) {
     io::write_csv(folder / "decomposition.csv", layer_table(*sections, *setup.decomposition));
     io::write_csv(folder / "sections.csv", section_table(*sections, *setup.decomposition));
+  }
+  if (const auto layers = contact_layers(setup, bed); !layers.empty()) {
+    std::vector<std::string> species;
+    for (const Species& one : setup.species) species.push_back(one.name);
+    io::write_csv(folder / "contacts.csv", contact_table(layers, species));
   }
 }
 

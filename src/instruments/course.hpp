@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "instruments/contact_layers.hpp"
 #include "instruments/decomposition.hpp"
 #include "io/run_file.hpp"
 
@@ -16,11 +17,16 @@ namespace pmr::instruments {
 // and from the final bed, where the case has a decomposition tool and two species:
 //   decomposition.csv  a row per layer, then the residuum (layer = number of layers + 1)
 //   sections.csv       a row per layer and sector
+// and from the final bed, where there is one:
+//   contacts.csv       a row per layer of one height: what its particles touch
 void write_instruments(const std::filesystem::path& dir, const Case& setup,
                        const io::Series& series, const Particles& bed);
 
 // The decomposition of a bed by the case's tool; none without a tool or a pair of species.
 std::optional<BedSections> decompose(const Case& setup, const Particles& bed);
+
+// Contacts in ten layers; none without particles.
+std::vector<ContactLayer> contact_layers(const Case& setup, const Particles& bed);
 
 // The two tables of it.
 io::Series layer_table(const BedSections& sections, const Decomposition& tool);

@@ -33,6 +33,8 @@ Case two_species() {
   setup.decomposition = test::tool({0.5, 0.25});
   setup.decomposition->reference = MixtureReference{"measured.csv", {3.0, 2.0}, {}};
   setup.thermocouples = {{"core", Vec3::Zero(), 0.01}};
+  setup.species[0].name = "granule";
+  setup.species[1].name = "bead";
   return setup;
 }
 
@@ -101,6 +103,14 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
   CHECK(std::stod(layers[3].substr(2)) == Approx(0.25 * 32 * 3000.0 * sphere));  // the residuum
   CHECK_THAT(layers[3], Catch::EndsWith(",nan,nan"));
   CHECK(lines(dir / "sections.csv").size() == 1 + 2 * 8);
+  // Of each species one sphere in the same place: it touches that one, and those above and below.
+  const auto contacts = lines(dir / "contacts.csv");
+  REQUIRE(contacts.size() == 1 + 10);
+  CHECK_THAT(contacts[0],
+             Catch::StartsWith("layer [1],top [m],bottom [m],particles.granule [1],") &&
+                 Catch::Contains(",touched_by.bead.granule [1]"));
+  CHECK(contacts[1] == "1,0.004,0.0036,0,nan,nan,nan,0,nan,nan,nan");  // radii keep centres below
+  CHECK_THAT(contacts[2], Catch::StartsWith("2,0.0036") && Catch::Contains(",8,"));
 }
 
 TEST_CASE("Instruments that a case does not have write no file") {
