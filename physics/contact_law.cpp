@@ -1,5 +1,7 @@
 #include "physics/contact_law.hpp"
 
+#include <algorithm>
+
 #include "physics/pair_kernel.hpp"
 #include "pmr/base/constants.hpp"
 
@@ -50,15 +52,37 @@ SingleContact single_contact(const ContactModel& model) {
       model.force, model.rolling);
 }
 
+namespace {
+
+// Material of each kind of sphere.
+std::vector<std::uint32_t> materials_of_kinds(const Case& c) {
+  std::vector<std::uint32_t> kinds;
+  for (const Species& species : c.species) kinds.push_back(species.material);
+  const auto adhered = static_cast<std::ptrdiff_t>(kinds.size());
+  for (const Grain& grain : c.walls.grains)
+    if (std::find(kinds.begin() + adhered, kinds.end(), grain.material) == kinds.end())
+      kinds.push_back(grain.material);
+  return kinds;
+}
+
+}  // namespace
+
+std::uint32_t ContactLaws::kind_of_adhered(const Case& c, std::uint32_t material) {
+  const auto kinds = materials_of_kinds(c);
+  const auto adhered = kinds.begin() + static_cast<std::ptrdiff_t>(c.species.size());
+  return static_cast<std::uint32_t>(std::find(adhered, kinds.end(), material) - kinds.begin());
+}
+
 ContactLaws::ContactLaws(const Case& c)
     : model_(c.models.mechanics.contact),
-      species_(c.species.size()),
+      kinds_(materials_of_kinds(c).size()),
       materials_(c.materials.list.size()) {
   const auto law = [&](std::size_t a, std::size_t b) {
     return contact_law(c.materials.list[a], c.materials.list[b], c.materials.pair(a, b));
   };
-  for (const Species& i : c.species)
-    for (const Species& j : c.species) pairs_.push_back(law(i.material, j.material));
+  const std::vector<std::uint32_t> kinds = materials_of_kinds(c);
+  for (const std::uint32_t i : kinds)
+    for (const std::uint32_t j : kinds) pairs_.push_back(law(i, j));
   for (const Species& i : c.species)
     for (std::size_t m = 0; m < materials_; ++m) walls_.push_back(law(i.material, m));
 }

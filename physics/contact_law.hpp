@@ -19,16 +19,15 @@ using SingleContact = ContactForce<double> (*)(const ContactLaw&, const Touch<do
                                                const double& dt, Springs<double>&);
 SingleContact single_contact(const ContactModel& model);
 
-// Laws of all pairs of species and of all species with all wall materials.
+// Laws of all pairs of kinds of spheres and of all species with all wall materials. Kinds are the
+// species, then the materials of adhered grains in the order in which they first appear.
 class ContactLaws {
  public:
   explicit ContactLaws(const Case& c);
-  const ContactLaw& between(std::uint32_t species_i, std::uint32_t species_j) const {
-    return pairs_[species_i * species_ + species_j];
-  }
-  std::size_t species() const { return species_; }
+  static std::uint32_t kind_of_adhered(const Case& c, std::uint32_t material);
+  std::size_t kinds() const { return kinds_; }
   const ContactModel& model() const { return model_; }
-  // Of species i with species j at [i * count of species + j].
+  // Of kind i with kind j at [i * kinds + j].
   const std::vector<ContactLaw>& pairs() const { return pairs_; }
   const ContactLaw& with_wall(std::uint32_t species, std::uint32_t material) const {
     return walls_[species * materials_ + material];
@@ -36,7 +35,7 @@ class ContactLaws {
 
  private:
   ContactModel model_;
-  std::size_t species_, materials_;
+  std::size_t kinds_, materials_;
   std::vector<ContactLaw> pairs_, walls_;
 };
 

@@ -260,6 +260,11 @@ void find_in_walls(const Case& c, const Particles& p, std::vector<Fault>& faults
        wall_overlaps(p, c.walls, begin, largest_opening_overlap, is_there).excessive)
     faults.push_back({"case", name_of(c, p, deep.deepest),
                       "at the start " + to_text(deep, p, c.walls, largest_opening_overlap)});
+  for (const DeepInWall& deep :
+       grain_overlaps(p, c.walls, begin, largest_opening_overlap).excessive)
+    faults.push_back(
+        {"case", name_of(c, p, deep.deepest),
+         "at the start, by its grains, " + to_text(deep, p, c.walls, largest_opening_overlap)});
 }
 
 // Too wide a region, or too narrow particles: its layers could not be looked through.

@@ -19,32 +19,32 @@ Vec3 vec3(Quad a) { return {a[0], a[1], a[2]}; }
 Eigen::Array4d array(Quad a) { return {a[0], a[1], a[2], 0.0}; }
 
 // One particle's motion and what its load makes of it in half a sub-step.
-struct Motion {
+struct OwnMotion {
   Quad velocity, spin;        // fourth: as it stands in Kinetics
   Quad force, torque;         // fourth: 0
   Quad half_kick, half_turn;  // fourth: 0
 };
 
-Motion motion_of(const Kinetics& k, const Load& load, double half, Quad gravity) {
-  Motion m{quad(k.velocity.data()),
-           quad(k.spin.data()),
-           quad(load.force.data()),
-           quad(load.torque.data()),
-           {},
-           {}};
+OwnMotion motion_of(const Kinetics& k, const Load& load, double half, Quad gravity) {
+  OwnMotion m{quad(k.velocity.data()),
+              quad(k.spin.data()),
+              quad(load.force.data()),
+              quad(load.torque.data()),
+              {},
+              {}};
   m.half_kick = all(half) * (all(k.inverse_mass) * m.force + gravity);
   m.half_turn = all(half * k.inverse_inertia) * m.torque;
   return m;
 }
 
-void kick(Motion& m) {
+void kick(OwnMotion& m) {
   m.velocity += m.half_kick;
   m.spin += m.half_turn;
 }
 
-Quad power(const Motion& m) { return m.force * m.velocity + m.torque * m.spin; }
+Quad power(const OwnMotion& m) { return m.force * m.velocity + m.torque * m.spin; }
 
-void put(const Motion& m, Kinetics& k) {
+void put(const OwnMotion& m, Kinetics& k) {
   _mm256_storeu_pd(k.velocity.data(), m.velocity);
   _mm256_storeu_pd(k.spin.data(), m.spin);
 }
@@ -68,7 +68,7 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
     const std::uint32_t last = std::min<std::uint32_t>(block.last, first + run_length);
     Quad low = none_low, high = none_high, slowest = none_low, fastest = none_high;
     for (std::uint32_t i = first; i < last; ++i) {
-      Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
+      OwnMotion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
       if (ends_step) kick(m);
       work += power(m);
       kick(m);
@@ -101,7 +101,7 @@ Passage kick(const Spheres& spheres, std::span<const Load> loads, const Block& b
   const Quad gravity = gravity_of(leapfrog);
   Quad work = all(0.0);
   for (std::uint32_t i = block.first; i < block.last; ++i) {
-    Motion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
+    OwnMotion m = motion_of(spheres.kinetics[i], loads[i - block.first], half, gravity);
     kick(m);
     work += power(m);
     put(m, after.kinetics[i]);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/adhered.hpp"
 #include "physics/blocks.hpp"
 #include "physics/leapfrog.hpp"
 #include "physics/pair_contacts.hpp"
@@ -24,12 +25,16 @@ class Mechanics {
 
   double time_step() const { return leapfrog_.dt; }  // [s]
 
+  // What particles did to each body in the mean over the last call of `advance`; empty where the
+  // case measures no force on a wall.
+  const std::vector<Wrench>& mean_wall_loads() const { return wall_loads_; }
+
   // Moves the state on by whole sub-steps. Writes the particles' places, motions, forces (of
   // contacts, without weight), both contact histories, time, step, lost, extremes and
   // fluxes.dissipated and elastic_energy (kinetic + potential + elastic
-  // energy + dissipated change by the work of moving walls only). Throws NumericsError, when a
-  // particle's motion is no longer finite, and Stopped; the state is then the one before the call
-  // (perhaps in another order).
+  // energy + dissipated change by the work of moving walls only, adhered grains being part of
+  // them). Throws NumericsError, when a particle's motion is no longer finite, and Stopped; the
+  // state is then the one before the call (perhaps in another order).
   void advance(State& state, std::uint64_t sub_steps, Timings& timings, StopToken stop = {});
 
  private:
@@ -40,28 +45,41 @@ class Mechanics {
   struct BlockPass {
     Passage passage;
     ContactBook sums;
-    Stages stages;  // of its thread
+    std::vector<Wrench> impulse;  // [bodies] on walls, since the blocks were cut; if measured
+    Stages stages;                // of its thread
   };
   void open(State& state);
   void close(State& state);
   void opening_forces();
-  void opening_drift();
+  void opening_drift(double t);
+  void open_blocks(double t);
   void take_out_lost(double t);
-  void pass(double walls_moved, bool is_last, Stages& stages);
-  void pass_block(std::size_t b, double walls_moved, bool is_last);
+  struct Pass {
+    double walls_moved;  // [m] at most, in the drift that led here
+    double now, next;    // [s] of the places before and after it
+    bool is_last;
+  };
+  void pass(const Pass& at, Stages& stages);
+  void pass_block(std::size_t b, const Pass& at);
+  Passage move_block(const Block& block, std::span<const Load> loads, const Pass& at);
+  bool adheres(const Block& block) const { return block.number >= free_blocks_; }
   void take_over_sums();
   void take_over_motion();
+  void take_over_impulses();
   void build_lists(const ContactHistory& pairs, const ContactHistory& walls);
 
   const Case& case_;
   Leapfrog leapfrog_;
   Box domain_;
+  AdheredGrains adhered_;
   WallContacts walls_;
   PairContacts pairs_;
 
   // Of the current call.
   Spheres spheres_;
-  Places after_;  // places after the pass that is going on
+  Places after_;                 // places after the pass that is going on
+  std::size_t free_ = 0;         // spheres that are particles: the first ones
+  std::size_t free_blocks_ = 0;  // of them; blocks of adhered grains follow
   std::vector<Block> blocks_;
   std::vector<BlockPass> pass_;  // [blocks]
   double smallest_ = 0.0;        // [m] radius
@@ -71,7 +89,11 @@ class Mechanics {
   double dissipated_ = 0.0;      // [J]
   Extremes extremes_;
   std::vector<LostParticle> lost_;
+  std::vector<Wrench> wall_loads_;  // [bodies] impulses of the call, at its end the mean load
 };
+
+// Leaves the particles at these places in the state, ascending, with their contacts.
+void leave_in(State& state, const std::vector<std::uint32_t>& places);
 
 double kinetic_energy(const Particles& particles);  // [J] of translation and rotation
 double rms_speed(const Particles& particles);       // [m/s] sqrt(2 kinetic energy / mass)

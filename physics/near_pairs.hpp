@@ -21,9 +21,9 @@ struct NearRun {
   double skin;  // [m] at most that of the wide list
 };
 
-// Pairs of the block closer than their run's skin, by kind; the law of species a and b has the
-// index min(a, b) * species + max(a, b).
+// Pairs of the block closer than their run's skin, by kind; the law of kinds a and b has the
+// index min(a, b) * kinds + max(a, b).
 std::vector<NearPair> near_pairs(const Spheres& spheres, const Block& block,
-                                 std::span<const NearRun> runs, std::uint32_t species);
+                                 std::span<const NearRun> runs, std::uint32_t kinds);
 
 }  // namespace pmr::physics

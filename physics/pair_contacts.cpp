@@ -77,7 +77,7 @@ struct PairContacts::Remembered {
 
 PairContacts::PairContacts(const ContactLaws& laws)
     : laws_(laws.pairs()),
-      species_(static_cast<std::uint32_t>(laws.species())),
+      kinds_(static_cast<std::uint32_t>(laws.kinds())),
       kernel_(best_pair_kernel(places_of(laws.model()))) {}
 
 void PairContacts::open(const Spheres& spheres, const std::vector<Block>& blocks, double dt,
@@ -184,7 +184,7 @@ ContactBook PairContacts::add_forces(std::size_t b, const Spheres& spheres, doub
 void PairContacts::thin_out(Lists& lists, const Spheres& s, const Remembered& springs) const {
   std::vector<NearRun> runs;
   for (const Run& run : lists.runs) runs.push_back({&run.wide, run.near_term.reach});
-  const std::vector<NearPair> pairs = near_pairs(s, lists.block, runs, species_);
+  const std::vector<NearPair> pairs = near_pairs(s, lists.block, runs, kinds_);
   lists.near.clear();
   for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
     while (last < pairs.size() && last < first + PairGroup::count &&
@@ -258,7 +258,7 @@ PairContacts::Remembered PairContacts::remembered(const Lists& lists, const Sphe
   return r;
 }
 
-ContactHistory PairContacts::history(const Spheres& s) const {
+ContactHistory PairContacts::history(const Spheres& s, std::size_t particles) const {
   struct Entry {
     std::uint32_t keeper;
     ParticleId partner;
@@ -276,7 +276,7 @@ ContactHistory PairContacts::history(const Spheres& s) const {
     return p.keeper != q.keeper ? p.keeper < q.keeper : p.partner < q.partner;
   });
   ContactHistory h;
-  h.start.assign(s.size() + 1, 0);
+  h.start.assign(particles + 1, 0);
   for (const Entry& e : entries) {
     ++h.start[e.keeper + 1];
     h.partner.push_back(e.partner);

@@ -34,8 +34,9 @@ class PairContacts {
   void open(const Spheres& spheres, const std::vector<Block>& blocks, double dt, double skin,
             const ContactHistory& history);
 
-  // Springs of the touching pairs, rows in the particles' order.
-  ContactHistory history(const Spheres& spheres) const;
+  // Springs of the touching pairs, rows in the order of the first `particles` spheres: adhered
+  // grains have none.
+  ContactHistory history(const Spheres& spheres, std::size_t particles) const;
 
   // To be called after every drift by dt [s], in which no two velocities differed by more than
   // `spread` [m/s]: keeps block b's near list such that it holds all of its touching pairs.
@@ -77,8 +78,8 @@ class PairContacts {
   static PairGroup group_of(std::span<const NearPair> pairs, const Block& block,
                             const Remembered& springs);
 
-  std::vector<ContactLaw> laws_;  // [species * species]
-  std::uint32_t species_;
+  std::vector<ContactLaw> laws_;  // [kinds * kinds]
+  std::uint32_t kinds_;
   PairKernel kernel_;
   WideSearch search_;
   double thinnest_ = 0.0;  // [m] skin of a wide list

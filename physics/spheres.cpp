@@ -40,10 +40,11 @@ void bound(Spheres& s, const std::vector<Block>& blocks) {
     }
     return box;
   };
-  for (std::size_t b = 0; b < blocks.size(); ++b)
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
     s.block_box[b] = box_of(blocks[b].first, blocks[b].last);
-  for (std::size_t r = 0; r < s.run_box.size(); ++r)
-    s.run_box[r] = box_of(r * run_length, std::min(s.size(), (r + 1) * run_length));
+    for (std::uint32_t first = blocks[b].first; first < blocks[b].last; first += run_length)
+      s.run_box[first / run_length] = box_of(first, std::min(blocks[b].last, first + run_length));
+  }
   s.run_velocity.assign(s.run_box.size(), {});
   s.block_velocity.assign(blocks.size(), {});
   for (const Block& block : blocks)

@@ -8,6 +8,7 @@
 #include "physics/shapes.hpp"
 #include "pmr/base/vec3.hpp"
 #include "pmr/state/particles.hpp"
+#include "pmr/state/walls.hpp"
 
 namespace pmr::physics {
 
@@ -33,9 +34,16 @@ struct Load {
   double unused_torque = 0.0;
 };
 
+// What a load on a sphere at x [m] does to what it leans on, in `passed` [s]: added to an impulse
+// [N s, N m s].
+inline void add_reaction(const Load& load, const Vec3& x, double passed, Wrench& impulse) {
+  impulse.force -= passed * load.force;
+  impulse.torque -= passed * (x.cross(load.force) + load.torque);
+}
+
 // Read when lists are built.
 struct Label {
-  std::uint32_t species;
+  std::uint32_t kind;  // of sphere: its species, or beyond them that of an adhered grain
   ParticleId id;
 };
 
@@ -50,12 +58,13 @@ struct Places {
 
 struct Spheres : Places {
   std::vector<Label> label;
-  std::vector<Load> load;  // at the borders of Mechanics::advance only
+  std::vector<Load> load;               // at the borders of Mechanics::advance only
+  std::size_t adhered_from = SIZE_MAX;  // spheres from this one on adhere to walls
   std::size_t size() const { return sphere.size(); }
 };
 
 Spheres gather_spheres(const Particles& particles);
-// Sets the boxes to the places, the ranges to the velocities.
+// Sets the boxes of blocks and their runs to the places, the ranges to the velocities.
 void bound(Spheres& spheres, const std::vector<Block>& blocks);
 
 void put_back(const Spheres& spheres, Particles& particles);

@@ -217,7 +217,7 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, 
                             arm / met.distance,
                             sphere.radius,
                             1.0 / u.inverse_mass};
-  const ContactLaw& law = laws_.with_wall(spheres.label[i].species, surface.material);
+  const ContactLaw& law = laws_.with_wall(spheres.label[i].kind, surface.material);
   const ContactForce<double> f = evaluate<Force, Rolling>(law, touch, dt, springs);
   load.force += met.share * vec3(f.force);
   load.torque -= met.share * vec3(arm * f.twist + f.rolling);
@@ -230,7 +230,7 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, 
 
 template <class Force, class Rolling>
 void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt,
-                                 Load& load, ContactBook& book) const {
+                                 Load& load, Sums& sums) const {
   const Sphere& sphere = spheres.sphere[row.particle];
   meet(list, row, sphere);
   for (const Foot& met : list.met) list.slots[met.place].touches_now = true;
@@ -238,8 +238,20 @@ void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& sphe
     Slot& slot = list.slots[met.place];
     if (!slot.touches) slot.springs = inherited(list, row, met, sphere);
   }
-  for (const Foot& met : list.met)
-    push<Force, Rolling>(spheres, row.particle, met, dt, list.slots[met.place].springs, load, book);
+  for (const Foot& met : list.met) {
+    const auto push_once = [&] {
+      push<Force, Rolling>(spheres, row.particle, met, dt, list.slots[met.place].springs, load,
+                           sums.book);
+    };
+    if (sums.impulse.empty()) {
+      push_once();
+      continue;
+    }
+    const Load before = load;
+    push_once();
+    add_reaction({load.force - before.force, 0.0, load.torque - before.torque, 0.0},
+                 sphere.position, dt, sums.impulse[case_.walls.surfaces[met.surface].body]);
+  }
   for (std::uint32_t s = row.first; s < row.last; ++s) {
     Slot& slot = list.slots[s];
     slot.touches = slot.touches_now;
@@ -248,16 +260,16 @@ void WallContacts::add_forces_on(List& list, const Row& row, const Spheres& sphe
 }
 
 ContactBook WallContacts::add_forces(std::size_t b, const Spheres& spheres, double dt,
-                                     std::span<Load> loads) {
+                                     std::span<Load> loads, std::span<Wrench> impulse) {
   List& list = lists_[b];
-  ContactBook book;
+  Sums sums{{}, impulse};
   const auto add_under = [&]<class Force, class Rolling>(Force, Rolling) {
     for (const Row& row : list.rows)
       add_forces_on<Force, Rolling>(list, row, spheres, dt, loads[row.particle - list.block.first],
-                                    book);
+                                    sums);
   };
   std::visit(add_under, laws_.model().force, laws_.model().rolling);
-  return book;
+  return sums.book;
 }
 
 }  // namespace pmr::physics

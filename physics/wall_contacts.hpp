@@ -48,7 +48,10 @@ class WallContacts {
   void follow(std::size_t b, const Spheres& spheres, double closer);
 
   // Adds the forces of the walls to the loads of block b's particles; moves the springs by dt [s].
-  ContactBook add_forces(std::size_t b, const Spheres& spheres, double dt, std::span<Load> loads);
+  // What the particles push back in dt is added to `impulse` [N s, N m s] of each body, where one
+  // is given.
+  ContactBook add_forces(std::size_t b, const Spheres& spheres, double dt, std::span<Load> loads,
+                         std::span<Wrench> impulse = {});
 
  private:
   struct Slot {
@@ -80,9 +83,13 @@ class WallContacts {
   void meet(List& list, const Row& row, const Sphere& sphere) const;
   Springs<double> inherited(List& list, const Row& row, const Foot& fresh,
                             const Sphere& sphere) const;
+  struct Sums {
+    ContactBook book;
+    std::span<Wrench> impulse;
+  };
   template <class Force, class Rolling>
   void add_forces_on(List& list, const Row& row, const Spheres& spheres, double dt, Load& load,
-                     ContactBook& book) const;
+                     Sums& sums) const;
   template <class Force, class Rolling>
   void push(const Spheres& spheres, std::size_t i, const Foot& met, double dt,
             Springs<double>& springs, Load& load, ContactBook& book) const;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "physics/adhered.hpp"
 #include "physics/motion.hpp"
+#include "physics/neighbours.hpp"
 #include "physics/shapes.hpp"
 #include "physics/wall_tree.hpp"
 #include "pmr/base/parallel.hpp"
@@ -20,6 +22,23 @@ struct Depth {
 Vec3 nearest_point(const Surface& surface, const WallPart& part, const Vec3& x) {
   if (part.triangle == WallPart::whole) return closest_point(surface.shape, x);
   return closest_point(std::get<Facet>(surface.shape), std::span(&part.triangle, 1), x);
+}
+
+// By body, of what is deeper than the limit.
+WallOverlaps by_body(const std::vector<Depth>& depths, const Walls& walls, double limit) {
+  WallOverlaps found;
+  std::vector<DeepInWall> bodies;
+  for (std::uint32_t b = 0; b < walls.bodies.size(); ++b) bodies.push_back({b, 0, 0, 0.0});
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    found.largest = std::max(found.largest, depths[i].ratio);
+    if (depths[i].ratio <= limit) continue;
+    DeepInWall& deep = bodies[depths[i].body];
+    ++deep.count;
+    if (depths[i].ratio > deep.overlap) deep = {deep.body, deep.count, i, depths[i].ratio};
+  }
+  for (const DeepInWall& deep : bodies)
+    if (deep.count > 0) found.excessive.push_back(deep);
+  return found;
 }
 
 }  // namespace
@@ -39,19 +58,29 @@ WallOverlaps wall_overlaps(const Particles& p, const Walls& walls, double time, 
       if (ratio > depths[i].ratio) depths[i] = {ratio, surface.body};
     }
   });
-  WallOverlaps found;
-  std::vector<DeepInWall> bodies;
-  for (std::uint32_t b = 0; b < walls.bodies.size(); ++b) bodies.push_back({b, 0, 0, 0.0});
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    found.largest = std::max(found.largest, depths[i].ratio);
-    if (depths[i].ratio <= limit) continue;
-    DeepInWall& deep = bodies[depths[i].body];
-    ++deep.count;
-    if (depths[i].ratio > deep.overlap) deep = {deep.body, deep.count, i, depths[i].ratio};
+  return by_body(depths, walls, limit);
+}
+
+WallOverlaps grain_overlaps(const Particles& p, const Walls& walls, double time, double limit) {
+  if (walls.grains.empty() || p.size() == 0) return {};
+  Particles all;
+  const std::vector<Vec3> places = adhered_places(walls, time);
+  resize(all, p.size() + places.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_free = i < p.size();
+    all.id[i] = static_cast<ParticleId>(i);
+    all.position[i] = is_free ? p.position[i] : places[i - p.size()];
+    all.radius[i] = is_free ? p.radius[i] : walls.grains[i - p.size()].radius;
+    all.mass[i] = 1.0;
   }
-  for (const DeepInWall& deep : bodies)
-    if (deep.count > 0) found.excessive.push_back(deep);
-  return found;
+  std::vector<Depth> depths(p.size());
+  for (const NeighbourPair& pair : pairs_within(all, 0.0)) {
+    if (pair.i >= p.size() || pair.j < p.size()) continue;
+    const double ratio = -pair.gap / std::min(all.radius[pair.i], all.radius[pair.j]);
+    if (ratio > depths[pair.i].ratio)
+      depths[pair.i] = {ratio, walls.grains[pair.j - p.size()].body};
+  }
+  return by_body(depths, walls, limit);
 }
 
 std::string to_text(const DeepInWall& deep, const Particles& p, const Walls& walls, double limit) {

@@ -28,8 +28,14 @@ struct WallOverlaps {
 
 // Overlaps of more than `limit` [1] with the surfaces that hold particles and for which `counts`
 // is true, as they stand at `time` [s]. A particle counts for the body that it is deepest in.
+// Grains that adhere are no surface: grain_overlaps tells of them.
 WallOverlaps wall_overlaps(const Particles& particles, const Walls& walls, double time,
                            double limit, const std::function<bool(const Surface&)>& counts);
+
+// The same of the grains that adhere to walls; overlaps [1] of the particle's or the grain's
+// radius, the smaller.
+WallOverlaps grain_overlaps(const Particles& particles, const Walls& walls, double time,
+                            double limit);
 
 // "3 particles overlap wall 'side' by more than 10 % of their radius; the deepest, particle 7 of
 // radius 1.5 mm at (28, 0, 3) mm, by 62.0 %"

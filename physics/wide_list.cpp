@@ -71,21 +71,22 @@ struct WideSearch::Candidates {
     for (const std::size_t f : {1U, 2U, 3U}) std::fill_n(&field[f * stride + count], lanes, 0.0F);
     std::fill_n(&index[count], lanes, 0U);
   }
-  std::uint32_t* append_near(std::size_t own, float skin, std::uint32_t* to) const;
+  std::uint32_t* append_near(std::size_t own, std::size_t from, float skin,
+                             std::uint32_t* to) const;
 
   std::unique_ptr<float[]> field;
   std::unique_ptr<std::uint32_t[]> index;
   std::size_t stride, count = 0;
 };
 
-// Writes to `to` the indices of those behind `own` that are closer to it than the skin; up to lanes
-// places behind the last one are overwritten. Returns where the last one ends.
-std::uint32_t* WideSearch::Candidates::append_near(std::size_t own, float skin,
+// Writes to `to` the indices of those at `from` and behind, closer to `own` than the skin; up to
+// lanes places behind the last one are overwritten. Returns where the last one ends.
+std::uint32_t* WideSearch::Candidates::append_near(std::size_t own, std::size_t from, float skin,
                                                    std::uint32_t* to) const {
   const auto all = [](float a) { return _mm256_set1_ps(a); };
   const __m256 x = all(this->x(0)[own]), y = all(this->x(1)[own]), z = all(this->x(2)[own]);
   const __m256 reach = all(radius()[own] + skin);
-  for (std::size_t k = own + 1; k < count; k += lanes) {
+  for (std::size_t k = from; k < count; k += lanes) {
     const __m256 dx = x - _mm256_loadu_ps(this->x(0) + k), dy = y - _mm256_loadu_ps(this->x(1) + k),
                  dz = z - _mm256_loadu_ps(this->x(2) + k);
     const __m256 sum = reach + _mm256_loadu_ps(radius() + k);
@@ -103,11 +104,17 @@ std::uint32_t* WideSearch::Candidates::append_near(std::size_t own, float skin,
 }
 
 WideSearch::WideSearch(const Spheres& spheres, const std::vector<Block>& blocks)
-    : blocks_(blocks), block_radius_(blocks.size(), 0.0), run_radius_(spheres.run_box.size(), 0.0) {
+    : blocks_(blocks),
+      block_radius_(blocks.size(), 0.0),
+      run_radius_(spheres.run_box.size(), 0.0),
+      run_size_(spheres.run_box.size(), 0),
+      adhered_from_(spheres.adhered_from) {
   for (const Block& block : blocks)
-    for (std::uint32_t i = block.first; i < block.last; ++i)
+    for (std::uint32_t i = block.first; i < block.last; ++i) {
+      ++run_size_[i / run_length];
       for (double* most : {&largest_, &block_radius_[block.number], &run_radius_[i / run_length]})
         *most = std::max(*most, spheres.sphere[i].radius);
+    }
 }
 
 std::vector<std::uint32_t> WideSearch::blocks_around(const Spheres& spheres, std::uint32_t block,
@@ -131,11 +138,13 @@ void WideSearch::look_around(const Spheres& spheres, std::uint32_t run,
   const std::uint32_t first = run * run_length;
   for (const std::uint32_t b : blocks) {
     const Block& block = blocks_[b];
+    if (adheres(first) && adheres(block.first)) continue;
     if (!is_within(spheres.block_box[block.number], block_radius_[block.number])) continue;
     const std::uint32_t begin = block.holds(first) ? first : block.first;
     for (std::uint32_t r = begin / run_length; r * run_length < block.last; ++r)
       if (is_within(spheres.run_box[r], run_radius_[r])) list.around.push_back(r);
   }
+  if (adheres(first)) list.around.push_back(run);
   // the run itself in front
   std::iter_swap(list.around.begin(), std::find(list.around.begin(), list.around.end(), run));
 }
@@ -149,8 +158,7 @@ WideSearch::Candidates WideSearch::candidates(const Spheres& spheres, std::uint3
         grown(spheres.run_box[run], (run_radius_[run] + run_radius_[r] + skin) * outwards);
     if (!overlap(near, spheres.run_box[r])) continue;
     const FastBox box(near);
-    const auto last = static_cast<std::uint32_t>(
-        std::min<std::size_t>(spheres.size(), (r + std::size_t{1}) * run_length));
+    const std::uint32_t last = r * run_length + run_size_[r];
     for (std::uint32_t j = r * run_length; j < last; ++j)
       if (box.holds(spheres.sphere[j])) found.add(spheres.sphere[j], j, origin);
   }
@@ -163,15 +171,15 @@ void WideSearch::find(const Spheres& spheres, std::uint32_t run,
                       WideList& list) const {
   look_around(spheres, run, blocks, horizon, list);
   const Candidates near = candidates(spheres, run, skin, list);
-  const std::size_t first = std::size_t{run} * run_length;
-  const std::size_t own = std::min<std::size_t>(run_length, spheres.size() - first);
+  const std::size_t own = run_size_[run];
   const double size = (spheres.run_box[run].high - spheres.run_box[run].low).norm();
   const auto reach = static_cast<float>(skin + single_precision * (size + 2.0 * largest_ + skin));
   list.start.assign(own + 1, 0);
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < own; ++i) {
     list.partner.resize(count + near.count + lanes);
-    const std::uint32_t* const end = near.append_near(i, reach, &list.partner[count]);
+    const std::size_t from = adheres(run * run_length) ? own : i + 1;
+    const std::uint32_t* const end = near.append_near(i, from, reach, &list.partner[count]);
     count = static_cast<std::uint32_t>(end - list.partner.data());
     list.start[i + 1] = count;
   }

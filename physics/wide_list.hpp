@@ -22,7 +22,8 @@ struct WideList {
 // Searches one run: every particle of the runs nearby that is near the box of this one is tested
 // against all of its particles, eight at a time (clusters of particles instead of cells, as in Páll
 // and Hess, Comput. Phys. Commun. 184 (2013) 2641): what is empty costs nothing, and only particles
-// near a large one are tested with its reach. Runs may be searched concurrently.
+// near a large one are tested with its reach. Runs may be searched concurrently. Pairs of grains
+// that adhere to walls are left out.
 class WideSearch {
  public:
   WideSearch() = default;
@@ -43,6 +44,8 @@ class WideSearch {
 
  private:
   struct Candidates;
+  // True of a sphere that adheres to a wall; two of them are no pair.
+  bool adheres(std::size_t sphere) const { return sphere >= adhered_from_; }
   void look_around(const Spheres& spheres, std::uint32_t run, std::span<const std::uint32_t> blocks,
                    double horizon, WideList& list) const;
   Candidates candidates(const Spheres& spheres, std::uint32_t run, double skin,
@@ -50,6 +53,8 @@ class WideSearch {
 
   std::vector<Block> blocks_;
   std::vector<double> block_radius_, run_radius_;  // [m] largest in each
+  std::vector<std::uint32_t> run_size_;            // [spheres]
+  std::size_t adhered_from_ = SIZE_MAX;            // spheres from here on adhere to walls
   double largest_ = 0.0;                           // [m] radius
 };
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "case/backs.hpp"
+#include "case/bulk_tests.hpp"
 #include "case/extents.hpp"
 #include "case/facing.hpp"
 #include "case/parts.hpp"
@@ -114,6 +115,7 @@ void check_upright(Table& root, const Case& made, bool has_rig) {
   const bool is_tilted = up && !physics::is_z(*up);
   if (is_tilted && made.decomposition)
     root.fault("decomposition", "its layers lie across z; wanted gravity along -z");
+  if (is_tilted && made.heap) root.fault("heap", "stands round z; wanted gravity along -z");
   if (is_tilted && has_rig) root.fault("rig", "stands along z; wanted gravity along -z");
   if (!up && made.models.bed_gas)
     root.fault("models", "bed_gas has layers across gravity; wanted gravity");
@@ -158,7 +160,7 @@ Case read_case(Reading& reading, const Node& document) {
   reading.provenance = &made.provenance;
   MaterialBook book(reading, root, made.provenance);
   const bool heat = made.models.conduction || made.models.radiation;  // of walls
-  const WallSetting setting{book, heat};
+  const WallSetting setting{book, heat, made.seed};
   const double closing = read_closing(root);
   const std::optional<Rig> rig = read_rig(root, setting, closing);
   const bool rig_is_faulty = !rig && root.has("rig");
@@ -177,6 +179,9 @@ Case read_case(Reading& reading, const Node& document) {
   made.decomposition = read_decomposition(root);
   made.thermocouples = read_thermocouples(root);
   made.conductivity = read_conductivity(root, made.walls);
+  made.catches = read_catches(root);
+  made.heap = read_heap(root);
+  made.wall_forces = read_wall_forces(root, made.walls);
   made.output = read_output(root);
   made.materials = book.finish(made.models);
   if (reading.faults() == 0 && root.has("species") && made.bed.empty()) count_explicit(root, made);

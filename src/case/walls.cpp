@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "case/bulk_tests.hpp"
 #include "case/facing.hpp"
+#include "case/grains.hpp"
+#include "case/nearest.hpp"
 #include "case/polytope.hpp"
 #include "case/stl.hpp"
 #include "pmr/base/constants.hpp"
@@ -114,6 +118,15 @@ std::vector<Shape> read_box(Table& table) {
   return sides;
 }
 
+std::vector<Shape> read_rectangle_wall(Table& table) {
+  const Rectangle r = read_rectangle(table);
+  if (!r.normal().allFinite()) return {};
+  return {triangulated(
+      {"",
+       r.normal(),
+       {r.corner, r.corner + r.along, r.corner + r.along + r.across, r.corner + r.across}})};
+}
+
 std::vector<Shape> read_stl_wall(Table& table) {
   const std::string file = table.file("file", "the name of an STL file");
   const double scale = table.value("scale", a_length);  // an STL file has no unit
@@ -137,14 +150,13 @@ std::vector<Shape> read_stl_wall(Table& table) {
   return facets;
 }
 
-std::vector<Shape> read_shapes(Table& table) {
-  const std::string kind =
-      table.choice("kind", {"plane", "disc", "cylinder", "cone", "box", "stl"});
+std::vector<Shape> read_shapes(Table& table, const std::string& kind) {
   if (kind == "plane") return {read_plane(table)};
   if (kind == "disc") return {read_disc(table)};
   if (kind == "cylinder") return {read_cylinder(table)};
   if (kind == "cone") return {read_cone(table)};
   if (kind == "box") return read_box(table);
+  if (kind == "rectangle") return read_rectangle_wall(table);
   if (kind == "stl") return read_stl_wall(table);
   table.ignore_rest();
   return {};
@@ -160,13 +172,42 @@ void read_wall(Table& table, const std::string& name, const WallSetting& setting
   pattern.patches = read_patches(table, "patches", {1, 1});
   pattern.holds_particles = table.flag("holds_particles", true);
   walls.bodies.push_back({name, read_motion(table)});
-  const std::vector<Shape> shapes = read_shapes(table);
+  const std::string kind =
+      table.choice("kind", {"plane", "disc", "cylinder", "cone", "box", "rectangle", "stl"});
+  const std::vector<Shape> shapes = read_shapes(table, kind);
+  read_grains(table, setting, {pattern.body, kind, shapes}, walls.grains);
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     Surface surface = pattern;
     surface.name = shapes.size() == 1 ? name : fmt::format("{}.{}", name, k);
     surface.shape = shapes[k];
     if (!std::holds_alternative<Revolved>(shapes[k])) surface.patches = {1, 1};
     walls.surfaces.push_back(std::move(surface));
+  }
+}
+
+// A wall that moves with another has that one's motion.
+struct Follower {
+  std::size_t body;
+  std::string leader;
+  Place place;
+};
+
+void lead(Reading& reading, const std::vector<Follower>& followers, Walls& walls) {
+  for (const Follower& one : followers) {
+    const std::string key = "walls." + walls.bodies[one.body].name + ".moves_with";
+    std::vector<std::string> names;
+    for (const Body& body : walls.bodies) names.push_back(body.name);
+    const auto found = std::find(names.begin(), names.end(), one.leader);
+    const bool follows = std::any_of(followers.begin(), followers.end(), [&](const Follower& f) {
+      return names[f.body] == one.leader;
+    });
+    if (found == names.end())
+      reading.fault(one.place, key, unknown_word("wall", one.leader, names));
+    else if (follows)
+      reading.fault(one.place, key, "wanted a wall that moves by itself");
+    else
+      walls.bodies[one.body].motion =
+          walls.bodies[static_cast<std::size_t>(found - names.begin())].motion;
   }
 }
 
@@ -196,9 +237,15 @@ std::array<std::uint32_t, 2> read_patches(Table& table, const std::string& key,
 }
 
 void read_walls(Table& root, const WallSetting& setting, Walls& walls) {
+  std::vector<Follower> followers;
   for_each_table(root, "walls", [&](Table& table, const std::string& name) {
+    const std::string leader = table.word_or("moves_with", "");
+    if (!leader.empty() && table.has("motion"))
+      table.fault("moves_with", "wanted a motion of its own, or that of another wall");
+    if (!leader.empty()) followers.push_back({walls.bodies.size(), leader, table.place()});
     read_wall(table, name, setting, walls);
   });
+  lead(root.reading(), followers, walls);
 }
 
 }  // namespace pmr::casefile

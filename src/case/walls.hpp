@@ -9,7 +9,8 @@ namespace pmr::casefile {
 // What the readers of walls share.
 struct WallSetting {
   MaterialBook& book;
-  bool heat;  // a heat model is on, so every wall says its boundary
+  bool heat;           // a heat model is on, so every wall says its boundary
+  std::uint64_t seed;  // of random layers
 };
 
 // Appends the walls of [walls] to `walls`.

@@ -83,6 +83,8 @@ int check(const std::filesystem::path& case_file, const std::vector<std::string>
   for (std::size_t body = 0; body < c.walls.bodies.size(); ++body)
     fmt::print("  {:10} {}\n", c.walls.bodies[body].name,
                casefile::to_text(casefile::extent_of(c.walls, body)));
+  if (!c.walls.grains.empty())
+    fmt::print("adhered      {} grains on walls\n", grouped(c.walls.grains.size()));
   const auto assumed = std::count_if(c.provenance.begin(), c.provenance.end(),
                                      [](const Provenance& p) { return p.mark == 'A'; });
   fmt::print("sources      {} figures of the case, {} of them assumed\n", c.provenance.size(),

@@ -85,8 +85,7 @@ int finish_run(const sim::Simulation& simulation, const RunRecord& record, sim::
             : completed      ? "completed"
                              : "stopped",
             series);
-  instruments::write_instruments(record.folder, simulation.setup(), series,
-                                 simulation.state().particles);
+  instruments::write_instruments(record.folder, simulation.setup(), series, simulation.state());
   print_headline(simulation, balance, series);
   if (completed) {
     report::write_report({record.folder}, record.folder / "report.html");

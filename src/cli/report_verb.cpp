@@ -59,7 +59,7 @@ int analyse(const fs::path& folder, const fs::path& reference) {
   if (!reference.empty()) casefile::set_reference(c, reference, folder.string());
   const State state = io::load_checkpoint(folder);
   const io::Series series = io::read_series(folder);
-  instruments::write_instruments(folder, c, series, state.particles);
+  instruments::write_instruments(folder, c, series, state);
   auto provenance = header.provenance;
   provenance["state_hash"] = hexadecimal(io::state_hash(state));
   const std::string status = state.phase != Phase::done               ? "stopped"

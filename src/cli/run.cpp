@@ -46,6 +46,7 @@ io::RunHeader header_of(const Case& c, const RunRecord& record) {
   for (const Species& species : c.species) header.species.push_back(species.name);
   for (const auto& patch : coupling::number_nodes(c, 0).patches)
     header.patches.push_back(patch.name);
+  for (const Grain& grain : c.walls.grains) header.adhered_radius.push_back(grain.radius);
   return header;
 }
 

@@ -22,21 +22,27 @@ fs::path shipped_folder() {
   return (program.parent_path() / "../share/pmr/cases").lexically_normal();
 }
 
+// "settling", "lab/repose-AA": those of the folder and of its lab tests.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  for (const fs::path& within : {fs::path(), fs::path("lab")}) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / within, error))
+      if (entry.path().extension() == ".toml")
+        names.push_back((within / entry.path().stem()).string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
 
 fs::path find(const fs::path& named, const fs::path& folder, const char* kind) {
   std::error_code error;
-  if (fs::exists(named, error) || named.has_parent_path()) return named;
-  const std::string name = named.extension() == ".toml" ? named.stem() : named;
+  const std::string name =
+      named.extension() == ".toml" ? (named.parent_path() / named.stem()).string() : named.string();
   const auto names = names_in(folder);
-  if (std::binary_search(names.begin(), names.end(), name)) return folder / (name + ".toml");
+  const bool is_shipped = std::binary_search(names.begin(), names.end(), name);
+  if (fs::exists(named, error) || (named.has_parent_path() && !is_shipped)) return named;
+  if (is_shipped) return folder / (name + ".toml");
   const std::string meant = casefile::nearest(name, names);
   throw CaseError({{named.string(), "",
                     fmt::format("is neither a file here nor a shipped {}{}; shipped: {}", kind,

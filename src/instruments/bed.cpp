@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "physics/adhered.hpp"
 #include "physics/porous_bed.hpp"
 #include "physics/upright.hpp"
 #include "pmr/base/constants.hpp"
@@ -154,7 +155,11 @@ Vessel enclosing_vessel(const Particles& bed, const Vec3& floor) {
 
 double coordination_number(const State& state) {
   if (state.particles.size() == 0) return 0.0;
-  return 2.0 * static_cast<double>(state.pair_contacts.partner.size()) /
+  const auto& partner = state.pair_contacts.partner;  // adhered grains are no particles
+  const auto adhered = std::count_if(partner.begin(), partner.end(), [](std::uint32_t id) {
+    return id >= physics::first_adhered_id;
+  });
+  return static_cast<double>(2 * partner.size() - static_cast<std::size_t>(adhered)) /
          static_cast<double>(state.particles.size());
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "instruments/heap.hpp"
 #include "instruments/section_ratios.hpp"
 #include "io/series.hpp"
 #include "physics/upright.hpp"
@@ -74,6 +75,48 @@ Particles as_stated(const Case& setup, Particles bed) {
   return bed;
 }
 
+// The profile of a heap: a row a ring.
+io::Series heap_table(const Heap& heap) {
+  TableWriter table({{"radius", "m"}, {"top", "m"}, {"deviation", "m"}, {"cells", "1"}});
+  for (const HeapRing& ring : heap.rings)
+    table.add_row({ring.radius, ring.top, ring.deviation, static_cast<double>(ring.cells)});
+  return table.take();
+}
+
+io::Series landing_table(const State& state) {
+  TableWriter table({{"time", "s"},
+                     {"opening", "1"},
+                     {"species", "1"},
+                     {"mass", "kg"},
+                     {"x", "m"},
+                     {"y", "m"},
+                     {"z", "m"}});
+  for (const CaughtParticle& p : state.caught)
+    table.add_row({p.time, static_cast<double>(p.by), static_cast<double>(p.species), p.mass,
+                   p.position.x(), p.position.y(), p.position.z()});
+  return table.take();
+}
+
+void write_bulk_tests(const std::filesystem::path& folder, const Case& setup,
+                      const io::Series& series, const State& state) {
+  std::vector<std::string> caught, forces;
+  for (const Catch& one : setup.catches) {
+    caught.push_back("catch." + one.name);
+    for (const Species& species : setup.species)
+      caught.push_back("catch." + one.name + "." + species.name);
+  }
+  for (const WallForce& wall : setup.wall_forces)
+    for (const char* what : {"force.", "torque."})
+      for (const char* axis : {".x", ".y", ".z"})
+        forces.push_back(std::string("wall_") + what + wall.name + axis);
+  write_selection(folder / "catch.csv", series, caught);
+  write_selection(folder / "wall_force.csv", series, forces);
+  if (!state.caught.empty()) io::write_csv(folder / "landings.csv", landing_table(state));
+  if (!setup.heap) return;
+  if (const auto heap = measure_heap(state.particles, *setup.heap))
+    io::write_csv(folder / "heap.csv", heap_table(*heap));
+}
+
 }  // namespace
 
 std::optional<BedSections> decompose(const Case& setup, const Particles& bed) {
@@ -130,7 +173,8 @@ io::Series section_table(const BedSections& sections, const Decomposition& tool)
 }
 
 void write_instruments(const std::filesystem::path& dir, const Case& setup,
-                       const io::Series& series, const Particles& bed) {
+                       const io::Series& series, const State& state) {
+  const Particles& bed = state.particles;
   const std::filesystem::path folder = make_folder(dir / "instruments");
   write_selection(folder / "gauge.csv", series, {"pressure"});
   std::vector<std::string> oxygen{"oxygen_pressure", "oxygen_released"};
@@ -141,6 +185,7 @@ void write_instruments(const std::filesystem::path& dir, const Case& setup,
   for (const Thermocouple& probe : setup.thermocouples)
     probes.push_back("thermocouple." + probe.name);
   write_selection(folder / "thermocouples.csv", series, probes);
+  write_bulk_tests(folder, setup, series, state);
   if (const auto sections = decompose(setup, bed)) {
     io::write_csv(folder / "decomposition.csv", layer_table(*sections, *setup.decomposition));
     io::write_csv(folder / "sections.csv", section_table(*sections, *setup.decomposition));

@@ -90,6 +90,38 @@ std::vector<LostParticle> read_lost(const H5File& file) {
   return lost;
 }
 
+template <class Get>
+auto column(const std::vector<CaughtParticle>& caught, const Get& get) {
+  std::vector<std::decay_t<decltype(get(caught.front()))>> values;
+  for (const CaughtParticle& particle : caught) values.push_back(get(particle));
+  return values;
+}
+
+void write_caught(H5File& file, const std::vector<CaughtParticle>& caught) {
+  if (caught.empty()) return;
+  const Writer write(file, "/caught/");
+  write("id", "1", column(caught, [](const CaughtParticle& p) { return p.id; }));
+  write("species", "1", column(caught, [](const CaughtParticle& p) { return p.species; }));
+  write("by", "1", column(caught, [](const CaughtParticle& p) { return p.by; }));
+  write("time", "s", column(caught, [](const CaughtParticle& p) { return p.time; }));
+  write("mass", "kg", column(caught, [](const CaughtParticle& p) { return p.mass; }));
+  write("position", "m", column(caught, [](const CaughtParticle& p) { return p.position; }));
+}
+
+std::vector<CaughtParticle> read_caught(const H5File& file) {
+  std::vector<CaughtParticle> caught;
+  if (!file.has("/caught")) return caught;
+  const auto id = file.read<ParticleId>("/caught/id");
+  const auto species = file.read<SpeciesIndex>("/caught/species");
+  const auto by = file.read<std::uint32_t>("/caught/by");
+  const auto time = file.read<double>("/caught/time");
+  const auto mass = file.read<double>("/caught/mass");
+  const auto position = file.read<Vec3>("/caught/position");
+  for (std::size_t i = 0; i < id.size(); ++i)
+    caught.push_back({id[i], species.at(i), by.at(i), time.at(i), mass.at(i), position.at(i)});
+  return caught;
+}
+
 bool fits(const ContactHistory& history, std::size_t particles) {
   const std::size_t contacts = history.partner.size();
   return !history.start.empty() && history.start.back() == contacts &&
@@ -126,6 +158,7 @@ void save_checkpoint(const std::filesystem::path& dir, const State& state) {
   for_each_contact_field(state.wall_contacts, Writer(file, "/wall_contacts/"));
   for_each_ordered_field(state, Writer(file, "/"));
   write_lost(file, state.lost);
+  write_caught(file, state.caught);
   file.set_attribute("/", "state_hash", hash_text(state));
   file.close();
   replacement.commit();
@@ -142,6 +175,7 @@ State load_checkpoint(const std::filesystem::path& dir) {
   for_each_contact_field(state.wall_contacts, Reader(file, "/wall_contacts/"));
   for_each_ordered_field(state, Reader(file, "/"));
   state.lost = read_lost(file);
+  state.caught = read_caught(file);
   require_consistent(path, state);
   if (!file.has_attribute("/", "state_hash") ||
       file.text_attribute("/", "state_hash") != hash_text(state))

@@ -96,6 +96,9 @@ void create_run(const std::filesystem::path& dir, const RunHeader& header) {
   file.write_texts("/case", {header.case_text});
   file.write_texts("/species", header.species);
   file.write_texts("/patches", header.patches);
+  if (!header.adhered_radius.empty())
+    file.write("/adhered_radius", std::span<const double>(header.adhered_radius),
+               {"m", Number::float64, Packing::deflated});
   for (const char* group : {"/provenance", "/series", "/snapshots"}) file.make_group(group);
   for (const auto& [key, value] : header.provenance) file.set_attribute("/provenance", key, value);
   file.close();
@@ -142,6 +145,7 @@ RunHeader read_header(const std::filesystem::path& dir) {
   header.case_text = text.empty() ? "" : text.front();
   header.species = file.read_texts("/species");
   header.patches = file.read_texts("/patches");
+  if (file.has("/adhered_radius")) header.adhered_radius = file.read<double>("/adhered_radius");
   for (const std::string& key : file.attributes("/provenance"))
     header.provenance[key] = file.text_attribute("/provenance", key);
   return header;

@@ -32,6 +32,7 @@ struct Snapshot {
   Phase phase = Phase::fill;
   Particles particles;
   std::vector<double> wall_temperature;  // [K] face of each wall patch, order of RunHeader::patches
+  std::vector<Vec3> adhered = {};        // [m] grains on walls, order of RunHeader::adhered_radius
 };
 
 // What is known when a run starts.
@@ -40,6 +41,7 @@ struct RunHeader {
   std::map<std::string, std::string> provenance;  // version, git, case_hash, command, machine, ...
   std::vector<std::string> species;               // names by index
   std::vector<std::string> patches;               // names of the wall patches
+  std::vector<double> adhered_radius = {};        // [m] of each grain that adheres to a wall
 };
 
 void create_run(const std::filesystem::path& dir, const RunHeader& header);

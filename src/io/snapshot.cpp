@@ -21,6 +21,15 @@ Phase phase_of(const H5File& file, const std::string& group) {
   return static_cast<Phase>(found - phase_names.begin());
 }
 
+void write_count(H5File& file, std::size_t count) {
+  const std::string path = vertices_path(count);
+  if (file.has(path)) return;
+  std::vector<std::uint32_t> vertices(count);
+  std::iota(vertices.begin(), vertices.end(), 0U);
+  file.write(path, std::span<const std::uint32_t>(vertices),
+             {"1", Number::uint32, Packing::deflated});
+}
+
 }  // namespace
 
 std::string_view phase_name(Phase phase) { return phase_names.at(static_cast<std::size_t>(phase)); }
@@ -46,6 +55,9 @@ void write_snapshot(H5File& file, const std::string& group, const Snapshot& snap
                  });
   file.write(group + "/wall_temperature", std::span<const double>(snapshot.wall_temperature),
              {"K", Number::float64, Packing::deflated});
+  if (!snapshot.adhered.empty())
+    file.write(group + "/adhered", std::span<const Vec3>(snapshot.adhered),
+               {"m", Number::float32, Packing::deflated});
 }
 
 Snapshot load_snapshot(const H5File& file, const std::string& group) {
@@ -63,6 +75,7 @@ Snapshot load_snapshot(const H5File& file, const std::string& group) {
                                             std::to_string(count) + " rows wanted"}});
                  });
   snapshot.wall_temperature = file.read<double>(group + "/wall_temperature");
+  if (file.has(group + "/adhered")) snapshot.adhered = file.read<Vec3>(group + "/adhered");
   return snapshot;
 }
 
@@ -80,12 +93,8 @@ std::string vertices_path(std::size_t count) { return "/vertices/" + std::to_str
 
 void write_vertices(H5File& file) {
   for (const std::string& group : snapshot_groups(file)) {
-    const std::string path = vertices_path(file.shape(group + "/id").rows);
-    if (file.has(path)) continue;
-    std::vector<std::uint32_t> vertices(file.shape(group + "/id").rows);
-    std::iota(vertices.begin(), vertices.end(), 0U);
-    file.write(path, std::span<const std::uint32_t>(vertices),
-               {"1", Number::uint32, Packing::deflated});
+    write_count(file, file.shape(group + "/id").rows);
+    if (file.has(group + "/adhered")) write_count(file, file.shape(group + "/adhered").rows);
   }
 }
 

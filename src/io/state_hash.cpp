@@ -65,6 +65,18 @@ void add_lost(Hash& hash, std::vector<LostParticle> lost) {
   }
 }
 
+// None is nothing: cases without openings that catch keep the hash that they had before those came.
+void add_caught(Hash& hash, const std::vector<CaughtParticle>& caught) {
+  for (const auto& [id, species, by, time, mass, position] : caught) {
+    hash.add(id);
+    hash.add(species);
+    hash.add(by);
+    hash.add(time);
+    hash.add(mass);
+    add(hash, position);
+  }
+}
+
 }  // namespace
 
 std::uint64_t state_hash(const State& state) {
@@ -77,6 +89,7 @@ std::uint64_t state_hash(const State& state) {
   for_each_ordered_field(
       state, [&](const std::string&, const char*, const auto& value) { add(hash, value); });
   add_lost(hash, state.lost);
+  add_caught(hash, state.caught);
   return hash.value();
 }
 

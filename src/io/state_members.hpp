@@ -67,12 +67,12 @@ void for_each_book_field(S& state, Visitor&& visit) {
   });
 }
 
-// All of the state but particles, contacts and lost particles, whose order needs care.
+// All of the state but particles, contacts, lost and caught particles, whose order needs care.
 template <class S, class Visitor>
 void for_each_ordered_field(S& state, Visitor&& visit) {
   auto& [time, phase, step, interval, rest_since, settled_at, set_point_at, elastic_energy,
          network_step, particles, waiting, pair_contacts, wall_contacts, walls, shells, gas,
-         exchange, trend, fluxes, breakdown, opening, extremes, lost] = state;
+         exchange, trend, fluxes, breakdown, opening, extremes, lost, caught] = state;
   visit("time", "s", time);
   visit("phase", "1", phase);
   visit("step", "1", step);

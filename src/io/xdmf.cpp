@@ -48,19 +48,44 @@ std::string time_text(double time) {
   return {digits.data(), end};
 }
 
+std::string points(const std::string& cells) {
+  return "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + cells +
+         "\" NodesPerElement=\"1\"><DataItem Dimensions=\"" + cells + "\" " +
+         number_type(Number::uint32) +
+         " Format=\"HDF\">run.h5:" + vertices_path(std::stoul(cells)) + "</DataItem></Topology>\n";
+}
+
+// Grains that adhere to walls; their radii stand in the header.
+std::string adhered_grid(const H5File& run, const std::string& group) {
+  const std::string cells = std::to_string(run.shape(group + "/adhered").rows);
+  const auto item = [&](const std::string& size, Number number, const std::string& path) {
+    return "<DataItem Dimensions=\"" + size + "\" " + number_type(number) +
+           " Format=\"HDF\">run.h5:" + path + "</DataItem>";
+  };
+  std::string text = "<Grid Name=\"adhered\" GridType=\"Uniform\">\n" + points(cells) +
+                     "<Geometry GeometryType=\"XYZ\">" +
+                     item(cells + " 3", Number::float32, group + "/adhered") + "</Geometry>\n";
+  if (run.has("/adhered_radius"))
+    text += "<Attribute Name=\"radius\" AttributeType=\"Scalar\" Center=\"Node\">" +
+            item(cells, Number::float64, "/adhered_radius") + "</Attribute>\n";
+  return text + "</Grid>\n";
+}
+
 std::string grid(const H5File& run, const std::string& group) {
   const std::size_t count = run.shape(group + "/id").rows;
   if (count == 0) return {};
   std::string text = "<Grid Name=\"particles\" GridType=\"Uniform\">\n<Time Value=\"" +
                      time_text(run.number_attribute(group, "time")) + "\"/>\n";
   const std::string cells = std::to_string(count);
-  text += "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" + cells +
-          "\" NodesPerElement=\"1\"><DataItem Dimensions=\"" + cells + "\" " +
-          number_type(Number::uint32) + " Format=\"HDF\">run.h5:" + vertices_path(count) +
-          "</DataItem></Topology>\n";
+  text += points(cells);
   text += "<Geometry GeometryType=\"XYZ\">" + data_item(run, group, "position") + "</Geometry>\n";
   for (const char* field : shown) text += attribute(run, group, field);
-  return text + "</Grid>\n";
+  text += "</Grid>\n";
+  if (!run.has(group + "/adhered")) return text;
+  return "<Grid Name=\"spheres\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time "
+         "Value=\"" +
+         time_text(run.number_attribute(group, "time")) + "\"/>\n" + text +
+         adhered_grid(run, group) + "</Grid>\n";
 }
 
 }  // namespace

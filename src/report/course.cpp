@@ -28,15 +28,6 @@ struct Axis {
 
 constexpr const char* dashes[] = {"", "6 4", "2 3", "9 3 2 3", "1 5"};
 
-std::vector<double> thinned(const std::vector<double>& values) {
-  const std::size_t stride = (values.size() + most_rows - 1) / most_rows;
-  if (stride <= 1) return values;
-  std::vector<double> kept;
-  for (std::size_t row = 0; row < values.size(); row += stride) kept.push_back(values[row]);
-  if ((values.size() - 1) % stride != 0) kept.push_back(values.back());
-  return kept;
-}
-
 // Difference quotient [unit/s]; nothing known in the first row and where time stands.
 std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& sum) {
   std::vector<double> rate(time.size(), std::numeric_limits<double>::quiet_NaN());
@@ -255,6 +246,15 @@ const char* toggle =
     "</div>";
 
 }  // namespace
+
+std::vector<double> thinned(const std::vector<double>& values) {
+  const std::size_t stride = (values.size() + most_rows - 1) / most_rows;
+  if (stride <= 1) return values;
+  std::vector<double> kept;
+  for (std::size_t row = 0; row < values.size(); row += stride) kept.push_back(values[row]);
+  if ((values.size() - 1) % stride != 0) kept.push_back(values.back());
+  return kept;
+}
 
 std::string course_charts(const Runs& runs, Charts& charts) {
   Course course(runs, charts);

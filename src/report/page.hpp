@@ -38,6 +38,9 @@ Section picture_section(const RunData& run);
 Section course_section(const RunData& run, Charts& charts);
 Section books_section(const RunData& run, Charts& charts);
 Section conductivity_section(const RunData& run, Charts& charts);  // where it was measured
+// Where the case has a heap, openings that catch, or forces on walls.
+bool has_bulk_tests(const RunData& run);
+Section bulk_tests_section(const RunData& run, Charts& charts);
 Section reproduction_section(const RunData& run);
 
 std::string assemble(const std::string& title, const std::string& subtitle,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/adhered.hpp"
 #include "pmr/base/parallel.hpp"
 #include "radiation/camera.hpp"
 #include "report/wall_mesh.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> sky{247, 248, 250};
 constexpr Rgb inert_grey{0.80, 0.80, 0.79};
+constexpr Rgb adhered_grey{0.55, 0.55, 0.57};  // grains that adhere to walls
 
 // Spheres get soft light from the upper left; walls stay pale, so that the bed stands out.
 Rgb shade(const Rgb& colour, const Vec3& normal, const View& view) {
@@ -40,17 +42,26 @@ radiation::Camera camera_of(const View& view, std::size_t pixels_x, std::size_t 
   return camera;
 }
 
-std::vector<radiation::Sphere> spheres_of(const Particles& particles) {
+// The particles, then the grains that adhere to walls.
+std::vector<radiation::Sphere> spheres_of(const io::Snapshot& snapshot,
+                                          const std::optional<Case>& setup) {
+  const Particles& particles = snapshot.particles;
   std::vector<radiation::Sphere> spheres(particles.size());
   for (std::size_t i = 0; i < spheres.size(); ++i)
     spheres[i] = {particles.position[i], particles.radius[i], static_cast<std::uint32_t>(i)};
+  if (!setup) return spheres;
+  const auto adhered = physics::adhered_places(setup->walls, snapshot.time);
+  for (std::size_t k = 0; k < adhered.size(); ++k)
+    spheres.push_back(
+        {adhered[k], setup->walls.grains[k].radius, static_cast<std::uint32_t>(spheres.size())});
   return spheres;
 }
 
-Rgb colour_of(const radiation::PixelHit& hit, std::size_t spheres, const View& view,
-              const Paint& paint) {
+Rgb colour_of(const radiation::PixelHit& hit, std::size_t particles, std::size_t spheres,
+              const View& view, const Paint& paint) {
   if (hit.is_empty()) return {sky[0] / 255.0, sky[1] / 255.0, sky[2] / 255.0};
   if (hit.primitive >= spheres) return wall_colour(hit.normal, view);
+  if (hit.primitive >= particles) return shade(adhered_grey, hit.normal, view);
   return shade(paint(hit.primitive), hit.normal, view);
 }
 
@@ -122,13 +133,13 @@ Image draw(const io::Snapshot& snapshot, const std::optional<Case>& setup, const
   const auto pixels_y =
       std::max<std::size_t>(8, static_cast<std::size_t>(std::lround(static_cast<double>(pixels_x) *
                                                                     view.height / view.width)));
-  const auto spheres = spheres_of(snapshot.particles);
+  const auto spheres = spheres_of(snapshot, setup);
   const auto walls = wall_mesh(setup, snapshot.time);
   const auto hits =
       radiation::photograph(spheres, walls, camera_of(view, 2 * pixels_x, 2 * pixels_y));
   std::vector<Rgb> samples(hits.size());
   parallel_for(hits.size(), [&](std::size_t k) {
-    samples[k] = colour_of(hits[k], spheres.size(), view, paint);
+    samples[k] = colour_of(hits[k], snapshot.particles.size(), spheres.size(), view, paint);
   });
   return develop(samples, pixels_x, pixels_y);
 }

@@ -96,6 +96,7 @@ BedPictures bed_pictures(const RunData& run) {
   const auto& times = run.snapshot_times;
   const double settled = run.settled_time();
   bed.settled = std::isfinite(settled) ? nearest(times, settled) : times.size() - 1;
+  while (bed.settled > 0 && run.snapshot(bed.settled).particles.size() == 0) --bed.settled;
   const double first = std::max(times[bed.settled], 1e-3), last = std::max(times.back(), first);
   for (int k = 0; k < 4; ++k)
     bed.temperature_times.push_back(nearest(times, first * std::pow(last / first, k / 3.0)));

@@ -41,6 +41,7 @@ RunData read_as_wished(const std::filesystem::path& folder, const ReportWishes& 
 std::string report_page(const RunData& run) {
   Charts charts;
   std::vector<Section> sections{answer_section(run), picture_section(run)};
+  if (has_bulk_tests(run)) sections.push_back(bulk_tests_section(run, charts));
   sections.push_back(mixture_section({&run}, charts));
   sections.push_back(course_section(run, charts));
   if (run.summary.has("effective_conductivity"))

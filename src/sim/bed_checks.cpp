@@ -59,6 +59,13 @@ void find_in_walls(const Case& c, Bed& bed, std::vector<Fault>& faults) {
   bed.overlap_ratio = std::max(bed.overlap_ratio, found.largest);
   for (const auto& deep : found.excessive)
     faults.push_back({c.bed, "", to_text(deep, bed.particles, c.walls, largest_overlap_of_bed)});
+  const auto grains =
+      physics::grain_overlaps(bed.particles, c.walls, bed.time, largest_overlap_of_bed);
+  bed.overlap_ratio = std::max(bed.overlap_ratio, grains.largest);
+  for (const auto& deep : grains.excessive)
+    faults.push_back(
+        {c.bed, "",
+         "by its grains, " + to_text(deep, bed.particles, c.walls, largest_overlap_of_bed)});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "case/nearest.hpp"
 #include "io/run_file.hpp"
+#include "physics/adhered.hpp"
 #include "pmr/base/errors.hpp"
 
 namespace pmr::sim {
@@ -59,13 +60,15 @@ std::vector<std::uint32_t> match_surfaces(const Case& c, const std::vector<std::
   return match;
 }
 
-// The history with its partners renamed; entries whose partner is gone are left out.
+// The history with its partners renamed; entries whose partner is gone are left out, and those of
+// adhered grains, which are the case's.
 ContactHistory renamed(const ContactHistory& h, const std::vector<std::uint32_t>& name) {
   ContactHistory r;
   for (std::size_t i = 0; i + 1 < h.start.size(); ++i) {
     std::vector<std::uint32_t> row;
     for (std::uint32_t k = h.start[i]; k < h.start[i + 1]; ++k)
-      if (name.at(h.partner[k]) != gone) row.push_back(k);
+      if (h.partner[k] < physics::first_adhered_id && name.at(h.partner[k]) != gone)
+        row.push_back(k);
     std::sort(row.begin(), row.end(), [&](std::uint32_t a, std::uint32_t b) {
       return name[h.partner[a]] < name[h.partner[b]];
     });

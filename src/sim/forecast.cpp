@@ -178,7 +178,7 @@ ReactWork react_work(const Case& c, const ReactStart& start) {
         break;
       }
     at.time = interval.end;
-    schedule.move_on(at, 0.0);
+    schedule.move_on(at, false, 0.0);
   }
   if (at.phase == Phase::react)  // and so on
     work.intervals *= (c.react->end - start.time) / (at.time - start.time);

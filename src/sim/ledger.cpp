@@ -63,6 +63,7 @@ Balance close_books(const Case& c, const State& state) {
   b.alive = state.particles.size();
   b.lost = state.lost.size();
   b.waiting = state.waiting.size();
+  b.caught = state.caught.size();
   return b;
 }
 

@@ -28,10 +28,10 @@ struct Balance {
   double nitrogen_residual;  // [mol] of the gas
   double oxygen_relative;    // [1] of what was turned over: the largest of the solids' oxygen, the
                              // gas' oxygen and its nitrogen, each over its own
-  std::uint64_t inserted, alive, lost, waiting;  // waiting: yet to be poured in
+  std::uint64_t inserted, alive, lost, waiting, caught;  // waiting: yet to be poured in
   bool closes() const {
     return energy_relative <= energy_limit && oxygen_relative <= oxygen_limit &&
-           inserted == alive + lost + waiting;
+           inserted == alive + lost + waiting + caught;
   }
 };
 

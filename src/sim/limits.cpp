@@ -7,6 +7,7 @@
 #include "chemistry/redox.hpp"
 #include "coupling/ray_count.hpp"
 #include "coupling/thermal_state.hpp"
+#include "instruments/heap.hpp"
 #include "physics/time_step.hpp"
 #include "pmr/base/constants.hpp"
 #include "sim/ledger.hpp"
@@ -50,6 +51,15 @@ void check_mechanics(const Case& c, const State& state, std::vector<std::string>
     limits.push_back(fmt::format("{} particles left the domain; the first, {}, at t = {:.4g} s.",
                                  state.lost.size(), state.lost.front().id,
                                  state.lost.front().time));
+}
+
+void check_heap(const Case& c, const State& state, std::vector<std::string>& limits) {
+  if (!c.heap) return;
+  const auto heap = instruments::measure_heap(state.particles, *c.heap);
+  if (!heap)
+    limits.push_back("There is no heap with a flank whose angle could be measured.");
+  else if (heap->is_edged)
+    limits.push_back("The heap reaches the rim of its base: its angle is not that of a free heap.");
 }
 
 // How many particles of a species there are, and how many of them a test finds [1].
@@ -147,6 +157,9 @@ void check_fits(const Case& c, const State& state, std::vector<std::string>& lim
 std::vector<std::string> limits_touched(const Case& c, const State& state) {
   std::vector<std::string> limits;
   check_mechanics(c, state, limits);
+  check_heap(c, state, limits);
+  if (has_heat(c) && !c.walls.grains.empty())
+    limits.push_back("Grains that adhere to walls take no part in heat, radiation and chemistry.");
   check_rays(c, state, limits);
   if (c.models.reaction) check_fits(c, state, limits);
   if (c.models.reaction) check_initial_delta(c, state, limits);

@@ -6,7 +6,9 @@
 #include "coupling/bed_gas.hpp"
 #include "coupling/thermal_state.hpp"
 #include "instruments/bed.hpp"
+#include "instruments/catching.hpp"
 #include "instruments/thermocouple.hpp"
+#include "physics/adhered.hpp"
 #include "physics/mechanics.hpp"
 #include "sim/heat_paths.hpp"
 #include "sim/ledger.hpp"
@@ -75,6 +77,26 @@ void put_gas(const Case& c, const State& state, double oxygen_rate, Row& row) {
   row.put("oxygen_pressure_bed_top", "Pa", top.oxygen_fraction * top.pressure);
 }
 
+void put_catches(const Case& c, const State& state, Row& row) {
+  for (const instruments::Caught& caught : instruments::caught_so_far(c, state)) {
+    row.put("catch." + caught.name, "kg", caught.mass);
+    for (std::size_t s = 0; s < c.species.size(); ++s)
+      row.put("catch." + caught.name + "." + c.species[s].name, "kg", caught.by_species[s]);
+  }
+}
+
+void put_wall_forces(const Case& c, const std::vector<Wrench>& loads, Row& row) {
+  const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (const WallForce& wall : c.wall_forces) {
+    const Vec3 force = loads.empty() ? none : loads[wall.body].force;
+    const Vec3 torque =
+        loads.empty() ? none : Vec3(loads[wall.body].torque - wall.about.cross(force));
+    const char* axes[] = {".x", ".y", ".z"};
+    for (int k = 0; k < 3; ++k) row.put("wall_force." + wall.name + axes[k], "N", force[k]);
+    for (int k = 0; k < 3; ++k) row.put("wall_torque." + wall.name + axes[k], "N m", torque[k]);
+  }
+}
+
 // A bed that came to rest, and not one whose run ended in motion.
 bool is_frozen(const Case& c, const State& state) {
   return state.phase == Phase::react || (state.phase == Phase::done && c.react);
@@ -95,7 +117,7 @@ double mean_wall_temperature(const std::vector<double>& faces, const coupling::N
 Recorder::Recorder(const Case& c, const coupling::Nodes& nodes, std::filesystem::path dir)
     : case_(c), nodes_(nodes), dir_(std::move(dir)) {}
 
-void Recorder::add_row(const State& state) {
+void Recorder::add_row(const State& state, const std::vector<Wrench>& wall_loads) {
   Row row(rows_);
   const double passed = state.time - last_time_;
   const double rate = passed > 0.0 ? (state.fluxes.oxygen_released - last_released_) / passed : 0.0;
@@ -105,6 +127,8 @@ void Recorder::add_row(const State& state) {
   row.put("phase", "1", static_cast<double>(state.phase));
   row.put("kinetic_energy", "J",
           is_frozen(case_, state) ? 0.0 : physics::kinetic_energy(state.particles));
+  put_catches(case_, state, row);
+  put_wall_forces(case_, wall_loads, row);
   put_species(case_, state, row);
   put_gas(case_, state, rate, row);
   if (!has_heat(case_)) return;
@@ -131,11 +155,13 @@ void Recorder::add_row(const State& state) {
         mean_wall_temperature(coupling::patch_temperatures(case_, nodes_, state.walls), nodes_));
 }
 
-void Recorder::record(const State& state, bool takes_snapshot) {
-  add_row(state);
+void Recorder::record(const State& state, bool takes_snapshot,
+                      const std::vector<Wrench>& wall_loads) {
+  add_row(state, wall_loads);
   if (takes_snapshot)
     snapshots_.push_back({state.time, state.phase, state.particles,
-                          coupling::patch_temperatures(case_, nodes_, state.walls)});
+                          coupling::patch_temperatures(case_, nodes_, state.walls),
+                          physics::adhered_places(case_.walls, state.time)});
 }
 
 void Recorder::start_from(const State& state) {

@@ -18,7 +18,8 @@ class Recorder {
 
   // Rates of the first row count from this state.
   void start_from(const State& state);
-  void record(const State& state, bool takes_snapshot);
+  // `wall_loads` [bodies]: means over the interval; empty where nothing moved.
+  void record(const State& state, bool takes_snapshot, const std::vector<Wrench>& wall_loads = {});
   // Writes what is pending without a checkpoint: what a failed run had computed stays readable.
   void flush();
   // Writes what is pending and the checkpoint, each file whole or not at all.
@@ -26,7 +27,7 @@ class Recorder {
   double seconds_since_checkpoint() const { return since_checkpoint_.seconds(); }  // [s]
 
  private:
-  void add_row(const State& state);
+  void add_row(const State& state, const std::vector<Wrench>& wall_loads);
 
   const Case& case_;
   const coupling::Nodes& nodes_;

@@ -36,7 +36,7 @@ void Schedule::begin_with_bed(State& state, double rms_speed) const {
   if (state.phase == Phase::react)
     state.settled_at = state.time;
   else
-    move_on(state, rms_speed);
+    move_on(state, false, rms_speed);
 }
 
 double Schedule::end() const {
@@ -121,7 +121,7 @@ Interval Schedule::frozen(const State& state) const {
   return {state.time, end, 0, has_heat(case_), closes, snapshot};
 }
 
-bool Schedule::move_on(State& state, double rms_speed) const {
+bool Schedule::move_on(State& state, bool is_over, double rms_speed) const {
   const Phase before = state.phase;
   if (before == Phase::react) {
     if (state.time >= case_.react->end - same_time) state.phase = Phase::done;
@@ -136,9 +136,9 @@ bool Schedule::move_on(State& state, double rms_speed) const {
     state.rest_since = std::min(state.rest_since, state.time);
   const bool at_rest = state.time - state.rest_since >= rest.hold;
   const double deadline = filling ? 0.0 : case_.mix->duration;
-  if (!at_rest && state.time < deadline - 0.5 * time_step_) return false;
+  if (!at_rest && !is_over && state.time < deadline - 0.5 * time_step_) return false;
 
-  state.phase = phase_after(case_, before);
+  state.phase = is_over ? phase_after(case_, Phase::mix) : phase_after(case_, before);
   state.rest_since = infinity;
   if (filling) state.time = 0.0;
   if (state.phase == Phase::react || (at_rest && !filling)) state.settled_at = state.time;

@@ -29,8 +29,9 @@ class Schedule {
   // over or the bed has been at rest long enough.
   void begin_with_bed(State& state, double rms_speed) const;
   Interval next(const State& state) const;
-  // Rest, ends of phases: called after each interval. True when a phase has ended.
-  bool move_on(State& state, double rms_speed) const;
+  // Rest, ends of phases: called after each interval. `is_over`: what ends the motion has come,
+  // though nothing rests. True when a phase has ended.
+  bool move_on(State& state, bool is_over, double rms_speed) const;
   double end() const;  // [s] last time the run can reach
 
  private:

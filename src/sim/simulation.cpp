@@ -12,6 +12,7 @@
 #include "coupling/outlook.hpp"
 #include "coupling/retrace.hpp"
 #include "coupling/thermal_state.hpp"
+#include "instruments/catching.hpp"
 #include "physics/insertion.hpp"
 #include "physics/wall_overlaps.hpp"
 #include "pmr/base/errors.hpp"
@@ -78,18 +79,21 @@ void Simulation::step(const StopToken& stop) {
   const double deepest = state_.extremes.overlap_ratio;
   if (interval.moves()) pour();
   if (interval.moves()) move(interval, stop);
+  if (interval.moves()) catch_particles();
   if (interval.closes_chamber) coupling::close_chamber(case_, state_);
   if (interval.heats) retrace_if_due(interval, stop);
   if (interval.heats) exchange_heat(interval, stop);
   if (!interval.moves()) state_.time = interval.end;
   ++state_.interval;
   const bool is_pouring = state_.waiting.size() > 0;  // not at rest, whatever moves
-  const bool phase_ended =
-      schedule_.move_on(state_, is_pouring ? std::numeric_limits<double>::infinity()
-                                           : physics::rms_speed(state_.particles));
+  const bool is_over = interval.moves() && instruments::ends_motion(case_, state_);
+  const bool phase_ended = schedule_.move_on(
+      state_, is_over,
+      is_pouring ? std::numeric_limits<double>::infinity() : physics::rms_speed(state_.particles));
   refuse_walls_in_particles(interval.begin, deepest);
   if (phase_ended && state_.phase == Phase::react) settle();
-  recorder_.record(state_, interval.takes_snapshot || phase_ended);
+  recorder_.record(state_, interval.takes_snapshot || phase_ended,
+                   interval.moves() ? mechanics_.mean_wall_loads() : std::vector<Wrench>{});
 }
 
 // A wall that has come in since must have found its place free: its contacts would throw off what
@@ -141,6 +145,22 @@ void Simulation::move(const Interval& interval, const StopToken& stop) {
   if (state_.lost.size() == lost) return;
   book_losses(case_, before, state_);
   replace_exchange({});  // the lost take no further part in it: traced anew
+}
+
+// What has crossed an opening that catches leaves the run, with what it holds.
+void Simulation::catch_particles() {
+  const auto caught = instruments::crossings(case_, before_, state_);
+  if (caught.empty()) return;
+  const coupling::Holdings before = coupling::holdings(case_, state_.particles);
+  std::vector<std::uint8_t> is_caught(state_.opening.particles, 0);  // by id
+  for (const CaughtParticle& particle : caught) is_caught[particle.id] = 1;
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t i = 0; i < state_.particles.size(); ++i)
+    if (is_caught[state_.particles.id[i]] == 0) left.push_back(i);
+  physics::leave_in(state_, left);
+  state_.caught.insert(state_.caught.end(), caught.begin(), caught.end());
+  book_losses(case_, before, state_);
+  replace_exchange({});
 }
 
 // Anew when there are no factors, a wall has come or gone, emissivities have changed much, or the

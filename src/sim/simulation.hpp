@@ -55,6 +55,7 @@ class Simulation {
   void refuse_walls_in_particles(double before, double deepest) const;
   void pour();
   void move(const Interval& interval, const StopToken& stop);
+  void catch_particles();
   void retrace_if_due(const Interval& interval, const StopToken& stop);
   void exchange_heat(const Interval& interval, const StopToken& stop);
   void note_state();

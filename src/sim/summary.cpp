@@ -205,6 +205,7 @@ Json books_of(const SummaryInput& in) {
   const Json count = {{"inserted", state.opening.particles},
                       {"alive", state.particles.size()},
                       {"waiting", state.waiting.size()},
+                      {"caught", state.caught.size()},
                       {"lost", state.lost.size()}};
   return {{"energy", energy},
           {"oxygen", oxygen},
@@ -293,6 +294,7 @@ void write_summary(const std::filesystem::path& dir, const SummaryInput& in) {
   summary["mechanics"] = mechanics_of(in);
   if (const auto sections = instruments::decompose(in.setup, in.state.particles))
     summary["homogeneity"] = homogeneity_of(in, *sections);
+  add_bulk_tests(in, summary);
   if (has_heat(in.setup)) add_heat(in, summary);
   if (in.setup.conductivity && in.status == "completed" && in.state.particles.size() > 1)
     summary["effective_conductivity"] = conductivity_of(in);

@@ -11,6 +11,8 @@ using Json = nlohmann::ordered_json;
 // JSON knows no infinity and no NaN.
 Json number(double value);
 
+// "catch", "heap" and "wall_force" of what the case has.
+void add_bulk_tests(const SummaryInput& in, Json& summary);
 Json chemistry_of(const SummaryInput& in);  // null without a redox species
 Json yield_of(const SummaryInput& in);
 Json heat_paths_of(const SummaryInput& in);

@@ -84,6 +84,11 @@ motion = {kind = "rotate"}
 kind = "box"
 [walls.NAME6]
 kind = "stl"
+grains = {csv = ""}
+[walls.NAME7]
+kind = "rectangle"
+grains = {}
+moves_with = "NAME"
 [rig]
 [rig.valves.NAME]
 [fill]
@@ -100,6 +105,9 @@ bed_gas = true
 [decomposition]
 [thermocouples.NAME]
 [conductivity]
+[catch.NAME]
+[heap]
+[wall_force.NAME]
 [output]
 )";
 const std::string particles_of_a_sheet = "particles = {csv = \"\"}\n";
@@ -158,7 +166,9 @@ std::map<std::string, Names> documented() {
       {"Phases", {"fill", "mix", "react"}},
       {"`[chamber]`", {"chamber"}},
       {"`[models]`: numerics", {"models"}},
-      {"Instruments and output", {"decomposition", "thermocouples", "conductivity", "output"}}};
+      {"Instruments and output",
+       {"decomposition", "thermocouples", "conductivity", "catch", "heap", "wall_force",
+        "output"}}};
   std::map<std::string, Names> words;
   std::istringstream in(text_of(fs::path(PMR_SOURCE_DIR) / "docs/case-reference.md"));
   std::vector<std::string> under;

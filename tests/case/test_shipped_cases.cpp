@@ -14,7 +14,12 @@ Case shipped(const std::string& name) {
 
 TEST_CASE("every shipped case loads, and loads again from its text") {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(PMR_SOURCE_DIR "/cases")) {
+  std::vector<std::filesystem::directory_entry> entries;
+  for (const char* folder : {"/cases", "/cases/lab"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(PMR_SOURCE_DIR) + folder))
+      entries.push_back(entry);
+  for (const auto& entry : entries) {
     if (entry.path().extension() != ".toml") continue;
     INFO(entry.path());
     const Case made = casefile::load_case(entry.path());
@@ -25,7 +30,7 @@ TEST_CASE("every shipped case loads, and loads again from its text") {
     CHECK(made.text.front() == '#');  // opens with a comment
     ++count;
   }
-  CHECK(count >= 9);
+  CHECK(count >= 21);
 }
 
 // 1 kg of each: 19,363 beads of 5.165e-5 kg and 173,769 granules of 5.755e-6 kg, by diameter and
@@ -91,4 +96,33 @@ TEST_CASE("layers of the decomposition add up to the bed without the residuum") 
   for (const double fraction : made.decomposition->layer_fraction) sum += fraction;
   CHECK(sum == Approx(1.0 - 197.02 / 1999.03).epsilon(1e-4));  // residuum over the mean total, g
   CHECK_FALSE(made.decomposition->reference);
+}
+
+// Samples of 150, 120, 100 g of granules (5.755 mg) and 400, 120, 100 g of beads (51.65 mg).
+TEST_CASE("the lab tests hold the spheres of their samples, under the study's parameters") {
+  const std::vector<std::pair<const char*, std::size_t>> tests{
+      {"repose-SS", 26065},  {"repose-Sw", 26065},   {"repose-AA", 7745},    {"repose-Aw", 7745},
+      {"repose-AS", 7745},   {"conveyor-SS", 20852}, {"conveyor-Sw", 20852}, {"conveyor-AA", 2324},
+      {"conveyor-Aw", 2324}, {"conveyor-AS", 2324},  {"impact-S", 17377},    {"impact-A", 1936}};
+  for (const auto& [name, count] : tests) {
+    INFO(name);
+    const Case made = shipped(std::string("lab/") + name);
+    REQUIRE(made.species.size() == 1);
+    CHECK(made.species[0].count == count);
+    CHECK(made.walls.grains.empty() == (std::string(name).back() == 'w' || name[0] == 'i'));
+    CHECK((made.heap.has_value() || !made.catches.empty()));
+    CHECK(*made.models.mechanics.time_step == Approx(2e-5).epsilon(1e-15));
+  }
+  const Case across = shipped("lab/conveyor-AS");
+  const PairContact& pair =
+      across.materials.pair(across.species[0].material, across.walls.grains.front().material);
+  CHECK(pair.friction == Approx(0.30));
+  CHECK(pair.rolling_friction == Approx(0.13));
+  const auto motion_of = [&](const char* wall) {
+    for (const Body& body : across.walls.bodies)
+      if (body.name == wall) return std::get<Oscillate>(body.motion);
+    throw std::runtime_error(wall);
+  };
+  CHECK(motion_of("back").amplitude == motion_of("floor").amplitude);
+  CHECK(motion_of("back").amplitude.x() == Approx(7e-3));
 }

@@ -156,3 +156,98 @@ motion = {kind = "translate", velocity = "0 0 1 mm/s", begin = "0 s", finish = "
     if (surface.name == "piston") CHECK(std::get<Plane>(surface.shape).normal == Vec3(0, 0, 1));
   }
 }
+
+TEST_CASE("a rectangle is one facet that faces along x across") {
+  const Case made = load(small_case +
+                         "[walls.plate]\nkind = \"rectangle\"\nmaterial = \"coated-wall\"\n"
+                         "corner = \"10 0 5 mm\"\nalong = \"20 0 0 mm\"\nacross = \"0 30 0 mm\"\n");
+  const auto& facet = std::get<Facet>(made.walls.surfaces.back().shape);
+  CHECK(area(facet) == Approx(600e-6));
+  CHECK((facet.normal - Vec3::UnitZ()).norm() < 1e-12);
+  CHECK(faults_of(small_case + "[walls.plate]\nkind = \"rectangle\"\nmaterial = \"coated-wall\"\n"
+                               "corner = \"10 0 5 mm\"\nalong = \"20 0 0 mm\"\n"
+                               "across = \"20 30 0 mm\"\n")
+            .size() == 1);
+}
+
+namespace {
+const std::string rough_plate =
+    "[walls.plate]\nkind = \"disc\"\nmaterial = \"coated-wall\"\ncentre = \"0 0 -10 mm\"\n"
+    "axis = [0, 0, 1]\nradius = \"20 mm\"\n";
+const std::string layer =
+    "[walls.plate.grains]\nmaterial = \"Al2O3\"\ndiameter = \"2 mm\"\narea_fraction = 0.7\n"
+    "height_deviation = 0.05\n";
+}  // namespace
+
+// 0.7 * (20 mm / 1 mm)^2 = 280 grains.
+TEST_CASE("a layer of grains stands on its wall's face and belongs to its body") {
+  const Case made = load(small_case + rough_plate + layer);
+  REQUIRE(made.walls.grains.size() == 280);
+  double lowest = 1.0, highest = -1.0;
+  for (const Grain& grain : made.walls.grains) {
+    CHECK(made.walls.bodies[grain.body].name == "plate");
+    CHECK(made.materials.list[grain.material].name == "Al2O3");
+    CHECK(grain.radius == Approx(1e-3));
+    CHECK(grain.centre.head<2>().norm() < 19.001e-3);
+    lowest = std::min(lowest, grain.centre.z());
+    highest = std::max(highest, grain.centre.z());
+  }
+  CHECK(lowest == Approx(-10e-3 + 1e-3 - 0.1e-3).margin(0.01e-3));
+  CHECK(highest == Approx(-10e-3 + 1e-3 + 0.1e-3).margin(0.01e-3));
+  CHECK(load(made.text).walls.grains.front().centre == made.walls.grains.front().centre);
+}
+
+TEST_CASE("grains come from a file too, and what cannot be is told") {
+  const std::string file = temporary("pmr_test_grains.csv");
+  std::ofstream(file) << "x [mm], y [mm], z [mm]\n1, 2, 3\n-4, 5, -6\n";
+  const std::string sheet =
+      "[walls.floor.grains]\nmaterial = \"Al2O3\"\ndiameter = \"2 mm\"\ncsv = \"" + file + "\"\n";
+  const Case made = load(small_case + sheet);
+  REQUIRE(made.walls.grains.size() == 2);
+  CHECK((made.walls.grains[1].centre - Vec3(-4e-3, 5e-3, -6e-3)).norm() < 1e-12);
+  const auto fault_of = [](const std::string& more) {
+    const auto faults = faults_of(small_case + more);
+    return faults.size() == 1 ? faults.front() : std::to_string(faults.size()) + " faults";
+  };
+  CHECK_THAT(fault_of(rough_plate + replaced(layer, "0.7", "0.9")), Contains("area_fraction"));
+  CHECK_THAT(fault_of(replaced(rough_plate, "radius", "until = \"1 s\"\nradius") + layer),
+             Contains("from and until"));
+  CHECK_THAT(fault_of("[walls.floor.grains]\nmaterial = \"Al2O3\"\ndiameter = \"2 mm\"\n"
+                      "area_fraction = 0.7\nheight_deviation = 0.0\n"),
+             Contains("disc or rectangle"));
+}
+
+TEST_CASE("a wall that moves with another has its motion") {
+  const std::string led = rough_plate + "moves_with = \"shaker\"\n";
+  const std::string shaker =
+      "[walls.shaker]\nkind = \"disc\"\nmaterial = \"coated-wall\"\ncentre = \"0 0 -20 mm\"\n"
+      "axis = [0, 0, 1]\nradius = \"20 mm\"\n"
+      "motion = {kind = \"oscillate\", amplitude = \"1 0 0 mm\", frequency = \"5 Hz\", begin = "
+      "\"0 s\"}\n";
+  const Case made = load(small_case + led + shaker);
+  for (const Body& body : made.walls.bodies)
+    CHECK(std::holds_alternative<Oscillate>(body.motion) == (body.name != "floor"));
+  const auto unknown =
+      faults_of(small_case + led + replaced(shaker, "walls.shaker", "walls.shakr"));
+  REQUIRE(unknown.size() == 1);
+  CHECK_THAT(unknown.front(), Contains("did you mean 'shakr'"));
+}
+
+TEST_CASE("openings that catch, heaps and forces on walls are read, and wrong ones told") {
+  const Case made = load(small_case +
+                         "[catch.out]\ncorner = \"0 0 -10 mm\"\nalong = \"10 0 0 mm\"\n"
+                         "across = \"0 10 0 mm\"\nthreshold = \"2 g\"\nends_motion = true\n"
+                         "[heap]\ncentre = \"0 0 0 mm\"\nradius = \"50 mm\"\nbin = \"3 mm\"\n"
+                         "[wall_force.floor]\nabout = \"0 0 1 mm\"\n");
+  REQUIRE(made.catches.size() == 1);
+  CHECK(*made.catches[0].threshold == Approx(2e-3));
+  CHECK(made.heap->sectors == 24);
+  CHECK(made.walls.bodies[made.wall_forces.at(0).body].name == "floor");
+  const auto faults = faults_of(small_case +
+                                "[catch.out]\ncorner = \"0 0 -10 mm\"\nalong = \"10 0 0 mm\"\n"
+                                "across = \"0 10 0 mm\"\nends_motion = true\n"
+                                "[wall_force.flor]\n");
+  REQUIRE(faults.size() == 2);
+  CHECK_THAT(faults[0], Contains("threshold"));
+  CHECK_THAT(faults[1], Contains("did you mean 'floor'"));
+}

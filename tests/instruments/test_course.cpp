@@ -62,6 +62,12 @@ class Folder {
   fs::path path_;
 };
 
+State with(Particles bed) {
+  State state;
+  state.particles = std::move(bed);
+  return state;
+}
+
 }  // namespace
 
 TEST_CASE("Redox tells granules from beads, whatever their order") {
@@ -84,7 +90,7 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
                            {"pressure", "Pa", {101325.0, 1000.0}},
                            {"oxygen_released", "mol", {0.0, 0.5}},
                            {"thermocouple.core", "K", {300.0, 950.5}}}};
-  instruments::write_instruments(folder.path(), two_species(), series, ring_bed());
+  instruments::write_instruments(folder.path(), two_species(), series, with(ring_bed()));
   const fs::path dir = folder.path() / "instruments";
   CHECK(lines(dir / "gauge.csv") ==
         std::vector<std::string>{"time [s],pressure [Pa]", "0,101325", "1,1000"});
@@ -116,6 +122,6 @@ TEST_CASE("Instruments write what was recorded, each its file, with units") {
 TEST_CASE("Instruments that a case does not have write no file") {
   const Folder folder;
   const io::Series series{{{"time", "s", {0.0}}, {"kinetic_energy", "J", {0.0}}}};
-  instruments::write_instruments(folder.path(), Case{}, series, Particles{});
+  instruments::write_instruments(folder.path(), Case{}, series, State{});
   CHECK(fs::is_empty(folder.path() / "instruments"));
 }

@@ -31,7 +31,7 @@ TEST_CASE("Intervals of the react phase meet every border and grow in between") 
     state.gas.closed = state.gas.closed || interval.closes_chamber;
     state.time = interval.end;
     ends.push_back(interval.end);
-    schedule.move_on(state, 0.0);
+    schedule.move_on(state, false, 0.0);
   }
   for (const double border : {1.0, 5.0, 20.0})
     CHECK(std::count_if(ends.begin(), ends.end(),
@@ -89,13 +89,13 @@ TEST_CASE("The mix phase ends at rest, held for its time, or at its deadline") {
   schedule.begin(state);
   REQUIRE(state.phase == Phase::mix);
   state.time = 0.05;
-  CHECK_FALSE(schedule.move_on(state, 0.0));  // not looked for before 60 ms
+  CHECK_FALSE(schedule.move_on(state, false, 0.0));  // not looked for before 60 ms
   state.time = 0.061;
-  CHECK_FALSE(schedule.move_on(state, 1e-3));  // at rest, not yet for 20 ms
+  CHECK_FALSE(schedule.move_on(state, false, 1e-3));  // at rest, not yet for 20 ms
   state.time = 0.07;
-  CHECK_FALSE(schedule.move_on(state, 1e-2));  // moved again
+  CHECK_FALSE(schedule.move_on(state, false, 1e-2));  // moved again
   state.time = 0.08;
-  CHECK(schedule.move_on(state, 1e-2));  // deadline
+  CHECK(schedule.move_on(state, false, 1e-2));  // deadline
   CHECK(state.phase == Phase::react);
   CHECK(state.settled_at == 0.08);
 }

@@ -12,6 +12,7 @@ enum class Purpose : std::uint64_t {
   sizes = 4,
   pouring = 5,
   bootstrap = 6,
+  adhesion = 7,
   test = 99
 };
 

@@ -213,6 +213,27 @@ struct ConductivityInstrument {
   std::vector<double> temperatures;  // [K] of their mean
   std::vector<double> pressures;     // [Pa] of the gas in the bed
 };
+// An opening that catches: a rectangle; particles whose centre crosses it from its facing side (of
+// along x across) leave the run and are booked as caught.
+struct Catch {
+  std::string name;
+  Vec3 corner, along, across;       // [m]
+  std::optional<double> threshold;  // [kg] it is told when so much has been caught ...
+  bool ends_motion;                 // ... and the phase that moves is over then
+};
+// Angle of repose of what lies round a vertical axis when the run ends.
+struct HeapInstrument {
+  Vec3 centre;            // [m] of its base, on the axis +z
+  double radius;          // [m] of the base: a heap that reaches it has an edge, and is no free one
+  std::uint32_t sectors;  // [1]
+  double bin;             // [m] of the radius
+};
+// Force and torque of the particles on a wall over time.
+struct WallForce {
+  std::string name;    // of the wall
+  std::uint32_t body;  // index into Walls::bodies
+  Vec3 about;          // [m] point of the world that the torque counts about
+};
 struct OutputCase {
   double snapshot_interval;            // [s] while moving
   std::vector<double> snapshot_times;  // [s]
@@ -239,6 +260,9 @@ struct Case {
   std::optional<Decomposition> decomposition;
   std::vector<Thermocouple> thermocouples;
   std::optional<ConductivityInstrument> conductivity;
+  std::vector<Catch> catches;
+  std::optional<HeapInstrument> heap;
+  std::vector<WallForce> wall_forces;
   OutputCase output;
   std::vector<Provenance> provenance;  // of dimensions and settings: key, value, paper or assumed
   std::string text;                    // the TOML as read, with --set applied, for the record

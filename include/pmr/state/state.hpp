@@ -71,7 +71,7 @@ struct Fluxes {
   double pump_work = 0.0;           // [J] of isothermal compression, not part of the books
   double gas_energy_out = 0.0;      // [J] enthalpy pumped, and of oxygen that left to open air
   double gas_energy_in = 0.0;       // [J] enthalpy of air let in, and of the air closed in
-  double lost_energy = 0.0;         // [J] held by particles that left the domain
+  double lost_energy = 0.0;         // [J] held by particles that were lost or caught
   double lost_oxygen = 0.0;         // [mol] O2 bound in them
   double heat_exchanged = 0.0;      // [J] sum over particles, lined walls, gas of |heat received|
   double gas_turnover = 0.0;        // [J] enthalpy from 0 K on of all gas that passed the border or
@@ -134,7 +134,7 @@ struct Breakdown {
   std::vector<double> released;     // [mol O2] by species, net
   std::vector<double> carried;      // [J] by species, enthalpy of that oxygen
   std::vector<double> reaction;     // [J] by species, taken up by the redox reaction
-  std::vector<double> lost_energy;  // [J] by species, held by particles that left the domain
+  std::vector<double> lost_energy;  // [J] by species, held by those lost or caught
   std::vector<double> lost_oxygen;  // [mol O2] by species, bound in them
 };
 
@@ -169,6 +169,16 @@ struct LostParticle {
   ParticleId id;
   double time;    // [s]
   Vec3 position;  // [m] first place outside the domain
+};
+
+// A particle that crossed an opening which catches (Case::catches) and left the run there.
+struct CaughtParticle {
+  ParticleId id;
+  SpeciesIndex species;
+  std::uint32_t by;  // index into Case::catches
+  double time;       // [s] of crossing
+  double mass;       // [kg]
+  Vec3 position;     // [m] of its centre in the opening
 };
 
 // What was there at the start, for the books.
@@ -211,6 +221,7 @@ struct State {
   Opening opening;
   Extremes extremes;
   std::vector<LostParticle> lost;
+  std::vector<CaughtParticle> caught;  // in the order of crossing
 };
 
 }  // namespace pmr

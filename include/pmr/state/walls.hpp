@@ -102,9 +102,25 @@ struct Body {
   Motion motion = Rest{};
 };
 
+// A sphere that adheres to a body: it moves as the body does and gives way to nothing. Particles
+// meet it as they meet each other; it takes no part in heat, radiation and chemistry.
+struct Grain {
+  std::uint32_t body;      // index into Walls::bodies
+  std::uint32_t material;  // index into Materials: contact parameters
+  double radius;           // [m]
+  Vec3 centre;             // [m] in the frame of the body at rest
+};
+
 struct Walls {
   std::vector<Body> bodies;
   std::vector<Surface> surfaces;
+  std::vector<Grain> grains;
+};
+
+// What acts on a body.
+struct Wrench {
+  Vec3 force = Vec3::Zero();   // [N]
+  Vec3 torque = Vec3::Zero();  // [N m] about the world's origin
 };
 
 // True while the surface is part of the rig at time t [s].
