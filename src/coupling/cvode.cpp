@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -288,10 +289,11 @@ OdeResult integrate(const OdeProblem& problem, std::vector<double>& y, double t0
     flag = CVode(solver.get(), t1, y_vector.get(), &t, CV_NORMAL);
   }
   if (frame.thrown) std::rethrow_exception(frame.thrown);
-  if (flag < 0)
-    throw NumericsError(fmt::format("heat and reaction network: {} at t = {:.6g} s; {}",
-                                    CVodeGetReturnFlagName(flag), t,
-                                    worst_component(solver.get(), y_vector.get())));
+  if (flag < 0) {
+    const std::unique_ptr<char, decltype(&std::free)> name(CVodeGetReturnFlagName(flag), std::free);
+    throw NumericsError(fmt::format("heat and reaction network: {} at t = {:.6g} s; {}", name.get(),
+                                    t, worst_component(solver.get(), y_vector.get())));
+  }
   Solver::require(CVodeGetQuad(solver.get(), &t, integral_vector.get()), "CVodeGetQuad");
   OdeResult result = statistics(solver.get(), std::move(integral));
   result.event_at = event_at;

@@ -1,5 +1,5 @@
-// The bits of a whole run with all physics, pinned: the same from each vector width, from any number
-// of threads, and from GCC 12 and clang 14.
+// The bits of a whole run with all physics, pinned: the same from each vector width, from any
+// number of threads, and from GCC 12 and clang 14.
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <filesystem>
