@@ -15,7 +15,7 @@ Quad quad(const double* p) { return _mm256_loadu_pd(p); }
 Quad all(double x) { return _mm256_set1_pd(x); }
 Quad without_fourth(Quad a) { return _mm256_blend_pd(a, _mm256_setzero_pd(), 8); }
 double sum_of_three(Quad a) { return a[0] + a[1] + a[2]; }
-Vec3 vec3(Quad a) { return {a[0], a[1], a[2]}; }
+Vec3 to_vec3(Quad a) { return {a[0], a[1], a[2]}; }
 Eigen::Array4d array(Quad a) { return {a[0], a[1], a[2], 0.0}; }
 
 // One particle's motion and what its load makes of it in half a sub-step.
@@ -82,13 +82,13 @@ Passage kick_and_drift(const Spheres& spheres, std::span<const Load> loads, cons
       broken = _mm256_or_pd(broken, _mm256_cmp_pd(x, x, _CMP_UNORD_Q));
       speed_squared = std::max(speed_squared, sum_of_three(m.velocity * m.velocity));
     }
-    after.run_box[first / run_length] = {vec3(low), vec3(high)};
+    after.run_box[first / run_length] = {to_vec3(low), to_vec3(high)};
     after.run_velocity[first / run_length] = {array(slowest), array(fastest)};
     of_block.include(after.run_velocity[first / run_length]);
     block_low = _mm256_min_pd(block_low, low);
     block_high = _mm256_max_pd(block_high, high);
   }
-  after.block_box[block.number] = {vec3(block_low), vec3(block_high)};
+  after.block_box[block.number] = {to_vec3(block_low), to_vec3(block_high)};
   after.block_velocity[block.number] = of_block;
   return {.fastest = std::sqrt(speed_squared),
           .is_finite = _mm256_movemask_pd(broken) == 0,

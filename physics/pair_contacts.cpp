@@ -33,7 +33,7 @@ Springs<double> springs_of(const PairGroup& g, std::size_t lane) {
           {g.rolling[0][lane], g.rolling[1][lane], g.rolling[2][lane]}};
 }
 
-void put(PairGroup& g, std::size_t lane, const Springs<double>& s) {
+void put_springs(PairGroup& g, std::size_t lane, const Springs<double>& s) {
   const double d[3] = {s.tangential.x, s.tangential.y, s.tangential.z};
   const double m[3] = {s.rolling.x, s.rolling.y, s.rolling.z};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -210,7 +210,7 @@ PairGroup PairContacts::group_of(std::span<const NearPair> pairs, const Block& b
     if (block.holds(i)) group.own_i |= bit;
     if (block.holds(j)) group.own_j |= bit;
     if (const Springs<double>* kept = springs.find(own - block.first, partner)) {
-      put(group, lane, *kept);
+      put_springs(group, lane, *kept);
       group.touching |= bit;
     }
   }

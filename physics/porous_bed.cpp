@@ -11,25 +11,25 @@
 namespace pmr::physics {
 namespace {
 
-using Point = Eigen::Vector2d;
+using PlanPoint = Eigen::Vector2d;
 constexpr int corners = 16;  // of the polygon that stands for a sphere's circle, of the same area
 
-double cross(const Point& o, const Point& a, const Point& b) {
+double cross(const PlanPoint& o, const PlanPoint& a, const PlanPoint& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
 // Convex hull (Andrew's monotone chain).
-Footprint hull_of(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+Footprint hull_of(std::vector<PlanPoint> points) {
+  std::sort(points.begin(), points.end(), [](const PlanPoint& a, const PlanPoint& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
   Footprint hull;
-  const auto add = [&](const Point& p, std::size_t floor) {
+  const auto add = [&](const PlanPoint& p, std::size_t floor) {
     while (hull.size() >= floor + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0)
       hull.pop_back();
     hull.push_back(p);
   };
-  for (const Point& p : points) add(p, 0);
+  for (const PlanPoint& p : points) add(p, 0);
   const std::size_t lower = hull.size() - 1;
   for (std::size_t k = points.size() - 1; k-- > 0;) add(points[k], lower);
   hull.pop_back();  // the first once more
@@ -45,13 +45,13 @@ double part_below(double h) {
 }  // namespace
 
 Footprint footprint(std::span<const Vec3> places, std::span<const double> radii) {
-  std::vector<Point> points;
+  std::vector<PlanPoint> points;
   const double swell = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
   for (std::size_t i = 0; i < places.size(); ++i)
     for (int k = 0; k < corners; ++k) {
       const double angle = 2.0 * pi * k / corners;
       points.push_back(places[i].head<2>() +
-                       swell * radii[i] * Point(std::cos(angle), std::sin(angle)));
+                       swell * radii[i] * PlanPoint(std::cos(angle), std::sin(angle)));
     }
   return points.empty() ? Footprint{} : hull_of(std::move(points));
 }
@@ -59,13 +59,13 @@ Footprint footprint(std::span<const Vec3> places, std::span<const double> radii)
 double area(const Footprint& hull) {
   double doubled = 0.0;
   for (std::size_t k = 0; k < hull.size(); ++k) {
-    const Point &a = hull[k], &b = hull[(k + 1) % hull.size()];
+    const PlanPoint &a = hull[k], &b = hull[(k + 1) % hull.size()];
     doubled += a.x() * b.y() - b.x() * a.y();
   }
   return 0.5 * std::abs(doubled);
 }
 
-bool is_inside(const Footprint& hull, const Point& p) {
+bool is_inside(const Footprint& hull, const PlanPoint& p) {
   for (std::size_t k = 0; k < hull.size(); ++k)
     if (cross(hull[k], hull[(k + 1) % hull.size()], p) < 0.0) return false;
   return !hull.empty();

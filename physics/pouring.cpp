@@ -15,7 +15,7 @@
 namespace pmr::physics {
 namespace {
 
-constexpr int places_tried = 64;  // [1] for one particle in one call
+constexpr int inlet_places_tried = 64;  // [1] for one particle in one call
 
 double end_of_motion(const Case& c) {  // [s]
   return c.mix ? c.mix->duration : 0.0;
@@ -74,7 +74,7 @@ Company company_of(const Case& c, const Particles& p) {
 std::optional<Vec3> free_place(const Ground& g, const Company& company, double radius,
                                Random random) {
   const double room = std::max(0.0, g.height - 2.0 * radius);
-  for (int k = 0; k < places_tried; ++k) {
+  for (int k = 0; k < inlet_places_tried; ++k) {
     const double u = 2.0 * random.uniform() - 1.0, v = 2.0 * random.uniform() - 1.0;
     const double z = 0.5 * g.height + room * (random.uniform() - 0.5);
     const Vec3 x = g.centre + Vec3(g.reach * u, g.reach * v, z);

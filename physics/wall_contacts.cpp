@@ -17,8 +17,8 @@ constexpr std::uint32_t group_size = 16;
 constexpr double steps_of_list = 20.0, thickest = 10.0;
 constexpr double rounding = 0.999;  // of bounds that are sums [1]
 
-Triple<double> triple(const Vec3& v) { return {v[0], v[1], v[2]}; }
-Vec3 vec3(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+Triple<double> triple_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector_of(const Triple<double>& t) { return {t.x, t.y, t.z}; }
 
 }  // namespace
 
@@ -58,7 +58,8 @@ void WallContacts::open(const Spheres& spheres, const std::vector<Block>& blocks
             for (std::uint32_t s = row.first; s < row.last; ++s)
               if (list.slots[s].surface == history.partner[k]) {
                 list.slots[s].touches = true;
-                list.slots[s].springs = {triple(history.tangential[k]), triple(history.rolling[k])};
+                list.slots[s].springs = {triple_of(history.tangential[k]),
+                                         triple_of(history.rolling[k])};
               }
       },
       1);
@@ -156,8 +157,8 @@ ContactHistory WallContacts::history(std::size_t particles) const {
         if (!slot.touches) continue;
         ++h.start[row.particle + 1];
         h.partner.push_back(slot.surface);
-        h.tangential.push_back(vec3(slot.springs.tangential));
-        h.rolling.push_back(vec3(slot.springs.rolling));
+        h.tangential.push_back(vector_of(slot.springs.tangential));
+        h.rolling.push_back(vector_of(slot.springs.rolling));
       }
   for (std::size_t i = 1; i < h.start.size(); ++i) h.start[i] += h.start[i - 1];
   return h;
@@ -209,22 +210,22 @@ void WallContacts::push(const Spheres& spheres, std::size_t i, const Foot& met, 
   const Pose& wall = pose_[surface.body];
   const double overlap = sphere.radius - met.distance;
   const double arm = sphere.radius - 0.5 * overlap;
-  const Touch<double> touch{triple(-met.towards),
+  const Touch<double> touch{triple_of(-met.towards),
                             overlap,
-                            triple(u.velocity - wall.velocity_at(met.point)),
-                            triple(arm * u.spin),
-                            triple(u.spin - wall.spin),
+                            triple_of(u.velocity - wall.velocity_at(met.point)),
+                            triple_of(arm * u.spin),
+                            triple_of(u.spin - wall.spin),
                             arm / met.distance,
                             sphere.radius,
                             1.0 / u.inverse_mass};
   const ContactLaw& law = laws_.with_wall(spheres.label[i].kind, surface.material);
   const ContactForce<double> f = evaluate<Force, Rolling>(law, touch, dt, springs);
-  load.force += met.share * vec3(f.force);
-  load.torque -= met.share * vec3(arm * f.twist + f.rolling);
+  load.force += met.share * vector_of(f.force);
+  load.torque -= met.share * vector_of(arm * f.twist + f.rolling);
   book.elastic += met.share * f.elastic;
   book.wall_work +=
       dt * met.share *
-      (vec3(f.force).dot(wall.velocity_at(met.point)) - vec3(f.rolling).dot(wall.spin));
+      (vector_of(f.force).dot(wall.velocity_at(met.point)) - vector_of(f.rolling).dot(wall.spin));
   book.overlap_ratio = std::max(book.overlap_ratio, overlap / sphere.radius);
 }
 

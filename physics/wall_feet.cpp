@@ -6,7 +6,7 @@ namespace pmr::physics {
 namespace {
 
 // Parts of one surface: its only one, or triangles of a facet.
-Vec3 closest_of(const Shape& shape, std::span<const WallPart> parts, const Vec3& x) {
+Vec3 closest_among(const Shape& shape, std::span<const WallPart> parts, const Vec3& x) {
   if (parts[0].triangle == WallPart::whole) return closest_point(shape, x);
   std::vector<std::uint32_t> triangles;
   for (const WallPart& part : parts) triangles.push_back(part.triangle);
@@ -30,7 +30,7 @@ std::vector<Foot> WallFeet::near(const Vec3& x, double radius, double reach) con
   const auto closest = [&](std::span<const WallPart> of, const Vec3& to) {
     const Surface& surface = walls_.surfaces[of[0].surface];
     const Pose& p = pose_[surface.body];
-    return p.to_world(closest_of(surface.shape, of, p.to_body(to)));
+    return p.to_world(closest_among(surface.shape, of, p.to_body(to)));
   };
   std::vector<Foot> feet;
   for (std::uint32_t first = 0; first < parts.size();) {

@@ -13,18 +13,18 @@
 namespace pmr::casefile {
 namespace {
 
-using Point = std::array<double, 3>;
-using Edge = std::pair<Point, Point>;
+using Corner = std::array<double, 3>;
+using SharedEdge = std::pair<Corner, Corner>;
 
 // An edge, and whether the triangle runs along it from the lesser point to the greater.
 struct Side {
-  Edge edge;
+  SharedEdge edge;
   bool is_forward;
 };
 
 Side side_of(const Triangle& triangle, std::size_t k) {
   const Vec3 &a = triangle[k], &b = triangle[(k + 1) % 3];
-  const Point p{a.x(), a.y(), a.z()}, q{b.x(), b.y(), b.z()};
+  const Corner p{a.x(), a.y(), a.z()}, q{b.x(), b.y(), b.z()};
   return p < q ? Side{{p, q}, true} : Side{{q, p}, false};
 }
 
@@ -33,8 +33,8 @@ struct Use {
   bool is_forward;
 };
 
-std::map<Edge, std::vector<Use>> uses_of_edges(const std::vector<Triangle>& triangles) {
-  std::map<Edge, std::vector<Use>> uses;
+std::map<SharedEdge, std::vector<Use>> uses_of_edges(const std::vector<Triangle>& triangles) {
+  std::map<SharedEdge, std::vector<Use>> uses;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const Side side = side_of(triangles[t], k);
@@ -87,8 +87,9 @@ std::vector<Part> parts_of(const std::vector<Triangle>& triangles) {
 
 // Whether x lies within the closed mesh: most of several half lines leave it through an odd number
 // of triangles (one may hit an edge). `on` [1]: x lies on that triangle, which does not count.
-bool is_within(const std::vector<Triangle>& mesh, const Vec3& x, const std::vector<Vec3>& towards,
-               std::optional<std::size_t> on = std::nullopt) {
+bool is_inside_mesh(const std::vector<Triangle>& mesh, const Vec3& x,
+                    const std::vector<Vec3>& towards,
+                    std::optional<std::size_t> on = std::nullopt) {
   std::size_t odd = 0;
   for (const Vec3& direction : towards) {
     std::size_t crossings = 0;
@@ -117,7 +118,7 @@ bool shows_inside(const std::vector<Triangle>& mesh, const Part& part) {
   const Triangle& largest = mesh[t];
   const Vec3 normal = (largest[1] - largest[0]).cross(largest[2] - largest[0]).normalized();
   const Vec3 middle = 0.36 * largest[0] + 0.33 * largest[1] + 0.31 * largest[2];
-  return is_within(mesh, middle, slanting(normal), t);
+  return is_inside_mesh(mesh, middle, slanting(normal), t);
 }
 
 Vec3 a_place_in(const CylinderRegion& r) {
@@ -195,7 +196,7 @@ void face_particles(std::size_t first_body, Case& c) {
     if (!std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.is_closed; }))
       continue;
     const auto has_within = [&](const Vec3& x) {
-      return is_within(mesh.triangles, x, slanting(Vec3(0.48, 0.6, 0.64)));
+      return is_inside_mesh(mesh.triangles, x, slanting(Vec3(0.48, 0.6, 0.64)));
     };
     const auto within = std::count_if(places.begin(), places.end(), has_within);
     if (within != 0 && static_cast<std::size_t>(within) != places.size()) continue;

@@ -18,7 +18,7 @@ std::optional<Region> rig_region(Table& table, const Rig& rig) {
   return std::nullopt;
 }
 
-Region read_cylinder(Table& table) {
+Region read_cylinder_region(Table& table) {
   CylinderRegion region{};
   region.base = table.vector("base", Dimension::length);
   region.radius = table.value("radius", a_length);
@@ -28,7 +28,7 @@ Region read_cylinder(Table& table) {
   return region;
 }
 
-Region read_box(Table& table) {
+Region read_box_region(Table& table) {
   const BoxRegion region{table.vector("low", Dimension::length),
                          table.vector("high", Dimension::length)};
   if ((region.high - region.low).minCoeff() <= 0.0)
@@ -48,8 +48,8 @@ std::optional<Region> read_region(Table& species, const std::optional<Rig>& rig,
     return std::nullopt;
   }
   if (table.has("rig") && rig) return rig_region(table, *rig);
-  if (table.has("low") || table.has("high")) return read_box(table);
-  if (!table.has("rig")) return read_cylinder(table);
+  if (table.has("low") || table.has("high")) return read_box_region(table);
+  if (!table.has("rig")) return read_cylinder_region(table);
   table.word("rig", "");
   table.fault("rig", "the case has no [rig]");
   return std::nullopt;
@@ -62,9 +62,9 @@ std::optional<Pour> read_pour(Table& species) {
   Table table(species.reading(), *node, species.path("pour"));
   Pour pour{};
   if (table.has("low") || table.has("high"))
-    pour.region = read_box(table);
+    pour.region = read_box_region(table);
   else
-    pour.region = read_cylinder(table);
+    pour.region = read_cylinder_region(table);
   if (table.has("mass_rate") && table.has("particle_rate"))
     table.fault("particle_rate", "wanted mass_rate or particle_rate, not both");
   pour.particle_rate = table.value("particle_rate", {Dimension::event_rate, positive}, none);

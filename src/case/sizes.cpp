@@ -73,7 +73,7 @@ std::optional<SizeLaw> read_csv(Table& table) {
   return curve_of(table, diameter, passing);
 }
 
-std::optional<SizeLaw> read_law(Table& table) {
+std::optional<SizeLaw> read_size_law(Table& table) {
   const std::string law =
       table.choice("law", {"classes", "normal", "log-normal", "rosin-rammler", "csv"});
   if (law == "classes")
@@ -99,7 +99,7 @@ std::optional<physics::SizeDistribution> read_sizes(Table& species) {
   if (node == nullptr) return std::nullopt;
   Table table(species.reading(), *node, species.path("size"));
   const std::size_t before = table.reading().faults();
-  const auto law = read_law(table);
+  const auto law = read_size_law(table);
   if (!law || table.reading().faults() != before) {
     table.ignore_rest();
     return std::nullopt;

@@ -83,8 +83,8 @@ int status_of(const study::Results& results, const fs::path& folder, bool stoppe
 }
 
 // Whether it was stopped.
-bool carry_out(const std::vector<study::Job>& jobs, const study::Folder& folder,
-               const SweepOptions& options, const Share& share) {
+bool carry_out_jobs(const std::vector<study::Job>& jobs, const study::Folder& folder,
+                    const SweepOptions& options, const Share& share) {
   const AtStake at_stake;
   const StopToken stop = at_stake.token();
   SweepProgress progress(jobs, share.at_once * static_cast<std::size_t>(share.threads));
@@ -112,7 +112,7 @@ int sweep(const SweepOptions& options) {
   const io::FolderLock lock = folder.prepare(study, plan);
   const auto jobs = folder.jobs(plan, this_program(), share.threads);
   print_plan(study, plan, jobs, share);
-  const bool stopped = carry_out(jobs, folder, options, share);
+  const bool stopped = carry_out_jobs(jobs, folder, options, share);
   const study::Results results = study::collect(study, plan, folder);
   study::write_tables(study, plan, results, folder.root());
   if (!stopped) study::write_page(study, plan, results, folder);

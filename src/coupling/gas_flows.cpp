@@ -87,7 +87,7 @@ Flow between(const Zone& a, const Zone& b, const Half& way, double concentration
 
 double concentration(const Zone& gas) { return gas.pressure / (gas_constant * gas.temperature); }
 
-void add(std::span<double> rate, const Flow& flow, double sign) {
+void add_flow(std::span<double> rate, const Flow& flow, double sign) {
   rate[0] += sign * flow.oxygen;
   rate[1] += sign * flow.nitrogen;
   rate[2] += sign * flow.enthalpy;
@@ -104,14 +104,14 @@ Flow rise(const System& system, const std::vector<Zone>& layers, const Zone& abo
                    in_series(half[k].diffusion, half[k + 1].diffusion)};
     const double mean = 0.5 * (concentration(layers[k]) + concentration(layers[k + 1]));
     const Flow flow = between(layers[k], layers[k + 1], way, mean);
-    add(rate.subspan(3 * k, 3), flow, -1.0);
-    add(rate.subspan(3 * k + 3, 3), flow, 1.0);
+    add_flow(rate.subspan(3 * k, 3), flow, -1.0);
+    add_flow(rate.subspan(3 * k + 3, 3), flow, 1.0);
   }
   // The bed's temperature holds up to its top.
   const Zone& top = layers.back();
   const double mean = 0.5 * (top.pressure + above.pressure) / (gas_constant * top.temperature);
   const Flow flow = between(top, above, half.back(), mean);
-  add(rate.subspan(3 * (layers.size() - 1), 3), flow, -1.0);
+  add_flow(rate.subspan(3 * (layers.size() - 1), 3), flow, -1.0);
   return flow;
 }
 
@@ -171,11 +171,11 @@ GasRates gas_rates(const System& system, double t, std::span<const double> y) {
   r.zone_temperature.push_back(r.temperature);
   r.zone_oxygen_pressure.push_back(r.oxygen_pressure);
   pump_and_leak(chamber, t, above, r);
-  add({r.rate.data() + 3 * layers, 3}, risen, 1.0);
-  add({r.rate.data() + 3 * layers, 3},
-      {r.oxygen_leaked - r.oxygen_pumped - r.oxygen_to_air,
-       r.nitrogen_leaked - r.nitrogen_pumped - r.nitrogen_to_air, r.energy_in - r.energy_out},
-      1.0);
+  add_flow({r.rate.data() + 3 * layers, 3}, risen, 1.0);
+  add_flow({r.rate.data() + 3 * layers, 3},
+           {r.oxygen_leaked - r.oxygen_pumped - r.oxygen_to_air,
+            r.nitrogen_leaked - r.nitrogen_pumped - r.nitrogen_to_air, r.energy_in - r.energy_out},
+           1.0);
   return r;
 }
 

@@ -67,8 +67,8 @@ constexpr double pores_part = 5.0;
 
 // Weights 1/(rtol |y| + atol) of CVODES' root mean square norm. The gas' unknowns stand for
 // whole zones of it and must not drown among the particles': each weighs as if it were alone.
-void weigh(const System& system, double relative, const std::vector<double>& absolute, In y,
-           Out weight) {
+void weigh_unknowns(const System& system, double relative, const std::vector<double>& absolute,
+                    In y, Out weight) {
   const std::size_t gas = system.gas_begin();
   parallel_for(gas,
                [&](std::size_t k) { weight[k] = 1.0 / (relative * std::abs(y[k]) + absolute[k]); });
@@ -93,7 +93,7 @@ std::vector<double> as_vector(const FluxRates& rates) {
   return values;
 }
 
-void add(std::span<const double> integral, State& state) {
+void add_fluxes(std::span<const double> integral, State& state) {
   std::size_t k = 0;
   for_each_flux(state.fluxes,
                 [&](const char*, const char*, double& flux) { flux += integral[k++]; });
@@ -174,7 +174,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
   };
   const std::vector<double> absolute = tolerances(c, system, y, cache.at());
   problem.weigh = [&](In now, Out weight) {
-    weigh(system, c.models.network.relative_tolerance, absolute, now, weight);
+    weigh_unknowns(system, c.models.network.relative_tolerance, absolute, now, weight);
   };
   if (system.closed && c.chamber->pump && !std::isfinite(state.set_point_at))
     problem.event = [&, reached = c.chamber->pump->set_point * (1.0 + chemistry::control_band)](
@@ -188,7 +188,7 @@ NetworkWork advance_network(const Case& c, const Nodes& nodes, const Outlook& ou
 
   const OdeResult result = integrate(problem, y, from, until, state.network_step);
   unpack(system, y, state);
-  add(result.quadrature, state);
+  add_fluxes(result.quadrature, state);
   // While the bed moves the mechanics keeps the masses of the charge: its course then depends on no
   // temperature, and one mixing serves many thermal cases (the change is below 1e-3).
   if (state.phase == Phase::react) renew_masses(c, state.particles);

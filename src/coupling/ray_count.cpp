@@ -28,7 +28,7 @@ std::vector<double> sphere_emissions(const Case& c) {
 }
 
 // The same of each piece of wall whose temperature is computed: the others send no rays.
-void add_walls(const Case& c, std::vector<double>& emissions) {
+void add_wall_emissions(const Case& c, std::vector<double>& emissions) {
   for (const Patch& patch : number_nodes(c, 0).patches) {
     const Surface& surface = c.walls.surfaces[patch.surface];
     const auto* lining = std::get_if<Lining>(&surface.thermal);
@@ -43,7 +43,7 @@ void add_walls(const Case& c, std::vector<double>& emissions) {
 RayCount count_rays(const Case& c, double rays) {
   std::vector<double> emissions = sphere_emissions(c);
   const std::size_t spheres = emissions.size();
-  add_walls(c, emissions);
+  add_wall_emissions(c, emissions);
   const auto none = [](double e) { return !(e > 0.0); };
   const bool has_spheres = spheres > 0;
   double least = 0.0;  // [m2]

@@ -33,7 +33,7 @@ void scale(realtype c, N_Vector x, N_Vector z) {
   set(z, [&](std::size_t i) { return c * u[i]; });
 }
 
-void product(N_Vector x, N_Vector y, N_Vector z) {
+void multiply(N_Vector x, N_Vector y, N_Vector z) {
   const double *u = NV_DATA_S(x), *v = NV_DATA_S(y);
   set(z, [&](std::size_t i) { return u[i] * v[i]; });
 }
@@ -64,7 +64,7 @@ N_Vector make_vector(std::vector<double>& data, SUNContext context) {
   v->ops->nvlinearsum = linear_sum;
   v->ops->nvconst = fill;
   v->ops->nvscale = scale;
-  v->ops->nvprod = product;
+  v->ops->nvprod = multiply;
   v->ops->nvdiv = quotient;
   v->ops->nvdotprod = dot;
   v->ops->nvwrmsnorm = weighted_rms;

@@ -73,7 +73,7 @@ std::vector<Ring> rings_of(const std::vector<Top>& tops, double bin) {
   return rings;
 }
 
-HeapRing mean_of(const Ring& ring) {
+HeapRing mean_ring(const Ring& ring) {
   double radius = 0.0, height = 0.0, squares = 0.0;
   for (const Top& top : ring.tops) {
     radius += top.radius;
@@ -174,7 +174,7 @@ std::optional<Heap> measure_heap(const Particles& particles, const HeapInstrumen
   for (const Ring& ring : rings_of(tops_of(particles, tool.centre), tool.bin)) {
     if (static_cast<double>(ring.tops.size()) < filled * static_cast<double>(ring.cells.size()))
       break;
-    profile.push_back(mean_of(ring));
+    profile.push_back(mean_ring(ring));
     tops.insert(tops.end(), ring.tops.begin(), ring.tops.end());
     height = std::max(height, profile.back().top);
   }

@@ -14,7 +14,7 @@
 namespace pmr::io {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+[[noreturn]] void fail_on_disk(const std::filesystem::path& path, const char* what) {
   const int reason = errno;
   throw StorageError(path.string() + ": " + what + ": " + std::strerror(reason));
 }
@@ -54,7 +54,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
 Replacement::Replacement(std::filesystem::path target)
     : target_(std::move(target)), temporary_(target_.string() + ".tmp") {
   const Descriptor file(temporary_, O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.is_open()) fail(target_, "cannot be written");
+  if (!file.is_open()) fail_on_disk(target_, "cannot be written");
 }
 
 Replacement::~Replacement() {
@@ -65,13 +65,14 @@ Replacement::~Replacement() {
 void Replacement::commit() {
   Descriptor file(temporary_, O_RDONLY);
   if (!file.is_open() || !file.sync() || !file.close())
-    fail(target_, "cannot be brought to the disk");
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced");
+    fail_on_disk(target_, "cannot be brought to the disk");
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0)
+    fail_on_disk(target_, "cannot be replaced");
   committed_ = true;
   // EINVAL: file systems that cannot sync a folder; the file itself is whole either way.
   const Descriptor folder(folder_of(target_), O_RDONLY | O_DIRECTORY);
   if (!folder.is_open() || (!folder.sync() && errno != EINVAL))
-    fail(target_, "its folder cannot be brought to the disk");
+    fail_on_disk(target_, "its folder cannot be brought to the disk");
 }
 
 std::string read_text(const std::filesystem::path& file) {
@@ -82,7 +83,8 @@ std::string read_text(const std::filesystem::path& file) {
 void replace_text(const std::filesystem::path& target, std::string_view text) {
   Replacement replacement(target);
   Descriptor file(replacement.temporary(), O_WRONLY | O_TRUNC);
-  if (!file.is_open() || !file.write(text) || !file.close()) fail(target, "cannot be written");
+  if (!file.is_open() || !file.write(text) || !file.close())
+    fail_on_disk(target, "cannot be written");
   replacement.commit();
 }
 

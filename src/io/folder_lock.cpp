@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 }
 
 // The user's mistake, or the disk's.
-[[noreturn]] void fail(const fs::path& folder, int reason) {
+[[noreturn]] void fail_to_lock(const fs::path& folder, int reason) {
   const std::string problem = std::string("cannot be written: ") + std::strerror(reason);
   if (reason == ENOSPC || reason == EDQUOT || reason == EIO)
     throw StorageError(folder.string() + ": " + problem);
@@ -51,7 +51,7 @@ FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)) {
   const fs::path file = folder_ / name;
   while (true) {
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(folder_, errno);
+    if (descriptor_ < 0) fail_to_lock(folder_, errno);
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(std::exchange(descriptor_, -1));
       refuse(folder_, "is being written by " + holder(file) +
@@ -68,7 +68,7 @@ FolderLock::FolderLock(fs::path folder) : folder_(std::move(folder)) {
   const int reason = errno;
   ::unlink(file.c_str());
   ::close(descriptor_);
-  fail(folder_, reason);
+  fail_to_lock(folder_, reason);
 }
 
 FolderLock::~FolderLock() {

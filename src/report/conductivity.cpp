@@ -26,8 +26,8 @@ std::vector<double> column(const Points& points, double pressure, const char* ke
   return values;
 }
 
-Value line(const Points& points, double pressure, const char* key, const std::string& label,
-           const std::string& colour, const char* dash) {
+Value pressure_line(const Points& points, double pressure, const char* key,
+                    const std::string& label, const std::string& colour, const char* dash) {
   Value line;
   line.set("label", label);
   line.set("colour", colour);
@@ -56,9 +56,9 @@ std::string curves(const Points& points, double solid_fraction, Charts& charts) 
   for (const double pressure : pressures_of(points)) {
     const std::string colour = hex(species_colour(k++)),
                       at = with_unit(Quantity::pressure, pressure);
-    lines.push_back(line(points, pressure, "conductivity", at, colour, ""));
-    lines.push_back(line(points, pressure, "zehner_bauer_schluender",
-                         at + ", Zehner-Bauer-Schl\u00fcnder", colour, "5 4"));
+    lines.push_back(pressure_line(points, pressure, "conductivity", at, colour, ""));
+    lines.push_back(pressure_line(points, pressure, "zehner_bauer_schluender",
+                                  at + ", Zehner-Bauer-Schl\u00fcnder", colour, "5 4"));
   }
   return charts.add(
       "conductivity", "Effective conductivity of the bed", spec_of(std::move(lines)),
@@ -69,9 +69,9 @@ std::string curves(const Points& points, double solid_fraction, Charts& charts) 
 
 std::string paths(const Points& points, double pressure, std::size_t k, Charts& charts) {
   Value::Array lines;
-  lines.push_back(line(points, pressure, "radiation", "radiation", "#d55e00", ""));
-  lines.push_back(line(points, pressure, "gap", "gas gaps", "#56b4e9", ""));
-  lines.push_back(line(points, pressure, "contact", "contacts", "#0072b2", ""));
+  lines.push_back(pressure_line(points, pressure, "radiation", "radiation", "#d55e00", ""));
+  lines.push_back(pressure_line(points, pressure, "gap", "gas gaps", "#56b4e9", ""));
+  lines.push_back(pressure_line(points, pressure, "contact", "contacts", "#0072b2", ""));
   return charts.add("conductivity_paths_" + std::to_string(k),
                     "Its parts at " + with_unit(Quantity::pressure, pressure),
                     spec_of(std::move(lines)));

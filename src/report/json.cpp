@@ -28,7 +28,7 @@ Value from(const Json& json) {
 }
 
 // Eight digits are more than any plot can show, and halve the page's data.
-double rounded(double number) {
+double short_of(double number) {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.8g", number);
   return std::strtod(digits, nullptr);
@@ -36,7 +36,7 @@ double rounded(double number) {
 
 Json from_number(double number) {
   if (!std::isfinite(number)) return Json();
-  const double short_number = rounded(number);
+  const double short_number = short_of(number);
   const bool whole = std::abs(short_number) < 1e9 && short_number == std::floor(short_number);
   return whole ? Json(static_cast<long long>(short_number)) : Json(short_number);
 }

@@ -8,7 +8,7 @@
 namespace pmr::report {
 namespace {
 
-std::string at(const char* name, double value) {
+std::string attribute(const char* name, double value) {
   // Attributes are for machines: a plain minus sign, two decimals.
   std::string number = std::to_string(std::round(100.0 * value) / 100.0);
   number.erase(number.find('.') + 3);
@@ -26,11 +26,12 @@ std::string scale_bar(const View& view, double pixels_x, double pixels_y) {
   const double length = round_length(0.3 * view.width);  // [m]
   const double pixels = length / view.width * pixels_x;
   const double x = pixels_x - pixels - 8.0, y = pixels_y + 16.0;
-  const std::string bar =
-      element("line", "",
-              at("x1", x) + at("x2", x + pixels) + at("y1", y) + at("y2", y) + "class=\"scale\"");
-  const std::string text = element("text", significant(1e3 * length, 1) + " mm",
-                                   at("x", x - 8.0) + at("y", y + 6.0) + "text-anchor=\"end\"");
+  const std::string bar = element("line", "",
+                                  attribute("x1", x) + attribute("x2", x + pixels) +
+                                      attribute("y1", y) + attribute("y2", y) + "class=\"scale\"");
+  const std::string text =
+      element("text", significant(1e3 * length, 1) + " mm",
+              attribute("x", x - 8.0) + attribute("y", y + 6.0) + "text-anchor=\"end\"");
   return bar + text;
 }
 
@@ -59,13 +60,14 @@ std::string shot_html(const Shot& shot, const Paint& paint) {
   const auto width = static_cast<double>(image.width), height = static_cast<double>(image.height);
   const std::string bitmap =
       element("image", "",
-              at("width", width) + at("height", height) + "href=\"data:image/png;base64," +
-                  base64(encode_png(image)) + "\"");
+              attribute("width", width) + attribute("height", height) +
+                  "href=\"data:image/png;base64," + base64(encode_png(image)) + "\"");
   const auto walls = wall_section(shot.setup, shot.snapshot.time, shot.view, width);
-  const std::string clip =
-      element("svg", bitmap + walls_path(walls), at("width", width) + at("height", height));
-  const std::string time = element("text", "t = " + with_unit(Quantity::time, shot.snapshot.time),
-                                   at("x", 2.0) + at("y", height + 22.0) + "class=\"time\"");
+  const std::string clip = element("svg", bitmap + walls_path(walls),
+                                   attribute("width", width) + attribute("height", height));
+  const std::string time =
+      element("text", "t = " + with_unit(Quantity::time, shot.snapshot.time),
+              attribute("x", 2.0) + attribute("y", height + 22.0) + "class=\"time\"");
   const std::string box = "viewBox=\"0 0 " + std::to_string(image.width) + " " +
                           std::to_string(image.height + 30) + "\" role=\"img\"";
   const std::string svg = element("svg", clip + time + scale_bar(shot.view, width, height), box);
@@ -107,8 +109,10 @@ std::string colour_bar(ColourMap map, Limits limits, const std::string& label) {
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
   for (const double tick : ticks) {
     const double x = 10.0 + 400.0 * limits.fraction(tick);
-    svg += element("line", "", at("x1", x) + at("x2", x) + "y1=\"18\" y2=\"23\" class=\"tick\"");
-    svg += element("text", tick_text(tick, step), at("x", x) + "y=\"36\" text-anchor=\"middle\"");
+    svg += element("line", "",
+                   attribute("x1", x) + attribute("x2", x) + "y1=\"18\" y2=\"23\" class=\"tick\"");
+    svg += element("text", tick_text(tick, step),
+                   attribute("x", x) + "y=\"36\" text-anchor=\"middle\"");
   }
   const std::string bar =
       element("svg", svg, "viewBox=\"-12 0 444 40\" class=\"bar\" role=\"img\"");

@@ -11,7 +11,7 @@ namespace {
 
 std::string escaped(const std::string& name) { return escape(chemical(name)); }
 
-std::string strong(const std::string& html) { return element("strong", html); }
+std::string emphasised(const std::string& html) { return element("strong", html); }
 
 std::string rest_sentence(const RunData& run) {
   const double settled = run.settled_time();
@@ -34,8 +34,8 @@ std::string what_was_done(const RunData& run) {
 std::string broken_off(const RunData& run) {
   const std::string status = run.summary.text("status");
   if (status != "failed" && status != "stopped") return "";
-  return strong("This run " + std::string(status == "failed" ? "failed" : "was stopped") +
-                " before its end.");
+  return emphasised("This run " + std::string(status == "failed" ? "failed" : "was stopped") +
+                    " before its end.");
 }
 
 std::string granules(const RunData& run) {
@@ -46,7 +46,7 @@ std::string granules(const RunData& run) {
 std::string hottest_part(const RunData& run) {
   const auto hottest = granules_hottest(run);
   if (!hottest) return "";
-  const std::string mean = strong(with_unit(Quantity::temperature, hottest->mean));
+  const std::string mean = emphasised(with_unit(Quantity::temperature, hottest->mean));
   if (!hottest->is_rise)
     return granules(run) + " were never warmer on average than at the start, " + mean;
   std::string text = granules(run) + " were hottest after " +
@@ -58,7 +58,7 @@ std::string hottest_part(const RunData& run) {
   return text;
 }
 
-std::string oxygen(const RunData& run, double amount) {  // amount [mol]
+std::string amount_of_oxygen(const RunData& run, double amount) {  // amount [mol]
   return with_unit(Quantity::specific_amount, amount / run.reactive_mass()) + " O₂";
 }
 
@@ -66,7 +66,7 @@ std::string oxygen_peak_part(const RunData& run) {
   const auto peak = io::peak_of(run.series, "oxygen_released");
   if (run.reactive().empty() || !peak || !(peak->value > 0.0)) return "";
   return "the most oxygen was off after " + with_unit(Quantity::time, peak->time) + ": " +
-         strong(oxygen(run, peak->value));
+         emphasised(amount_of_oxygen(run, peak->value));
 }
 
 std::string temperature_part(const RunData& run) {
@@ -74,7 +74,8 @@ std::string temperature_part(const RunData& run) {
   const double mean = run.summary.number("thermal/temperature_mean/" + name);
   if (!std::isfinite(mean)) return "";
   const double change = mean - run.species[run.granules()].first_temperature;
-  std::string text = granules(run) + " were at " + strong(with_unit(Quantity::temperature, mean));
+  std::string text =
+      granules(run) + " were at " + emphasised(with_unit(Quantity::temperature, mean));
   if (std::abs(change) > 0.05)
     text += " (" + difference(Quantity::temperature_difference, change) + ")";
   const double spread = run.summary.number("thermal/temperature_std/" + name);
@@ -90,17 +91,17 @@ std::string oxygen_part(const RunData& run) {
   const double from = run.summary.number("chemistry/delta_initial");
   const double to = run.summary.number("chemistry/delta_final");
   return (released < 0.0 ? "had taken up " : "had given off ") +
-         strong(oxygen(run, std::abs(released))) + " (" + (reactive.size() > 1 ? "mean " : "") +
-         "δ from " + with_unit(Quantity::delta, from) + " to " + with_unit(Quantity::delta, to) +
-         ")";
+         emphasised(amount_of_oxygen(run, std::abs(released))) + " (" +
+         (reactive.size() > 1 ? "mean " : "") + "δ from " + with_unit(Quantity::delta, from) +
+         " to " + with_unit(Quantity::delta, to) + ")";
 }
 
 std::string mixture_part(const RunData& run) {
   const auto layers = mixture_of(run).layers;
   if (layers.empty()) return "";
-  return "the mass ratio w runs from " + strong(with_unit(Quantity::ratio, layers.front().whole)) +
-         " in the top layer to " + strong(with_unit(Quantity::ratio, layers.back().whole)) +
-         " in the lowest";
+  return "the mass ratio w runs from " +
+         emphasised(with_unit(Quantity::ratio, layers.front().whole)) + " in the top layer to " +
+         emphasised(with_unit(Quantity::ratio, layers.back().whole)) + " in the lowest";
 }
 
 std::string join_parts(std::vector<std::string> parts) {
@@ -128,7 +129,7 @@ std::string conductivity_part(const RunData& run) {
     });
   };
   const auto told = [&](const Value& p) {
-    return strong(fixed(value(p), 2) + " W/m/K") + " (" +
+    return emphasised(fixed(value(p), 2) + " W/m/K") + " (" +
            with_unit(Quantity::pressure, p.number("pressure")) + ", " +
            with_unit(Quantity::temperature, p.number("temperature")) + ")";
   };
@@ -199,7 +200,7 @@ std::string trust(const RunData& run) {
 std::string charge(const RunData& run) {
   std::vector<std::string> parts;
   for (const SpeciesTotals& s : run.species) {
-    std::string text = strong(with_unit(Quantity::mass, s.mass) + " " + escaped(s.name));
+    std::string text = emphasised(with_unit(Quantity::mass, s.mass) + " " + escaped(s.name));
     text += " (" + with_unit(Quantity::count, static_cast<double>(s.count)) + " spheres)";
     if (s.first_temperature > 0.0)
       text += " at " + with_unit(Quantity::temperature, s.first_temperature);

@@ -175,7 +175,7 @@ Json thermal_of(const SummaryInput& in) {
           {"heat_to_walls", heat_paths(in.setup, in.state).to_walls}};
 }
 
-double sum_of(const std::vector<double>& values) {
+double total(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
@@ -188,7 +188,7 @@ Json books_of(const SummaryInput& in) {
   const Json energy = {{"at the start", state.opening.energy},
                        {"in particles", particles},
                        {"in walls", walls},
-                       {"in the gas", state.gas.energy + sum_of(state.gas.pore_energy)},
+                       {"in the gas", state.gas.energy + total(state.gas.pore_energy)},
                        {"to the outside of walls", f.to_outside},
                        {"to the surroundings", f.to_surroundings},
                        {"out with gas", f.gas_energy_out},
@@ -201,7 +201,7 @@ Json books_of(const SummaryInput& in) {
                        {"pumped", f.oxygen_pumped},
                        {"closed in with air", f.oxygen_closed_in},
                        {"leaked in", f.oxygen_leaked},
-                       {"in the gas", state.gas.oxygen + sum_of(state.gas.pore_oxygen)}};
+                       {"in the gas", state.gas.oxygen + total(state.gas.pore_oxygen)}};
   const Json count = {{"inserted", state.opening.particles},
                       {"alive", state.particles.size()},
                       {"waiting", state.waiting.size()},

@@ -23,7 +23,7 @@ constexpr double enough = 3e6;  // [1] particle-steps to be measured
 constexpr double few_rays = 4.0;     // [1] of each sphere, at least ...
 constexpr double enough_rays = 2e5;  // [1] ... and of all, so that setting out is no matter
 
-double particles_of(const Case& c) {
+double number_of_particles(const Case& c) {
   double count = static_cast<double>(c.particles.size());
   for (const Species& s : c.species) count += static_cast<double>(s.count);
   return count;
@@ -46,7 +46,7 @@ Case without_surroundings(const Case& c) {
 // the smallest species' radius: what costs time is their number.
 State lattice_of(const Case& c, double count) {
   const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(std::max(8.0, count))));
-  const double all = std::max(1.0, particles_of(c));
+  const double all = std::max(1.0, number_of_particles(c));
   double radius = std::numeric_limits<double>::infinity();
   for (const Species& s : c.species) radius = std::min(radius, 0.5 * s.diameter);
   State state;
@@ -116,7 +116,7 @@ void measure_heat(const Case& lattice, double count, UnitCosts& costs) {
 
 UnitCosts measure_costs(const Case& c) {
   UnitCosts costs;
-  const double count = particles_of(c);
+  const double count = number_of_particles(c);
   if (c.species.empty() || count == 0.0) return costs;
   const Case lattice = without_surroundings(c);
   if (c.fill || c.mix) costs.particle_step = measure_mechanics(lattice, count);

@@ -18,7 +18,7 @@ using report::element;
 using report::escape;
 using report::Value;
 
-std::string shown(double value) {
+std::string shown_value(double value) {
   return std::isfinite(value) ? report::significant(value, 4) : "–";
 }
 
@@ -46,9 +46,10 @@ std::string extremes_table(const Findings& f) {
     const auto ends = extremes(f.results, r);
     if (!ends) continue;
     const Response& response = f.study.responses[r];
-    rows.push_back({escape(axis_title(response.label, response.unit)),
-                    shown(f.results.rows[ends->first].responses[r]), title_cell(f, ends->first),
-                    shown(f.results.rows[ends->second].responses[r]), title_cell(f, ends->second)});
+    rows.push_back(
+        {escape(axis_title(response.label, response.unit)),
+         shown_value(f.results.rows[ends->first].responses[r]), title_cell(f, ends->first),
+         shown_value(f.results.rows[ends->second].responses[r]), title_cell(f, ends->second)});
   }
   if (rows.empty()) return report::absent("No run is completed yet.");
   return element("div",
@@ -159,8 +160,8 @@ report::Section trade_off_part(const Findings& f, report::Charts& charts) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(front.size());
   for (const std::size_t k : front)
-    rows.push_back({title_cell(f, k), shown(f.results.rows[k].responses[gain]),
-                    shown(f.results.rows[k].responses[cost])});
+    rows.push_back({title_cell(f, k), shown_value(f.results.rows[k].responses[gain]),
+                    shown_value(f.results.rows[k].responses[cost])});
   return {
       "trade-off", "Trade-off and best designs",
       charts.add("trade-off",
@@ -204,8 +205,8 @@ report::Section runs_part(const Findings& f) {
     const Row& row = f.results.rows[k];
     std::vector<std::string> cells{title_cell(f, k)};
     for (const std::size_t v : f.numeric)
-      if (goes_by_number) cells.push_back(shown(f.plan.runs[k].values[v]));
-    for (const double value : row.responses) cells.push_back(shown(value));
+      if (goes_by_number) cells.push_back(shown_value(f.plan.runs[k].values[v]));
+    for (const double value : row.responses) cells.push_back(shown_value(value));
     cells.push_back(escape(row.reason.empty() ? row.status : row.status + ": " + row.reason));
     rows.push_back(std::move(cells));
   }

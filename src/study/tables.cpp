@@ -17,7 +17,9 @@ std::string field(const std::string& text) {
 }
 
 // The shortest text that reads back to the same number; empty where there is none.
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+std::string csv_number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
 
 std::string head(const std::string& name, const std::string& unit) {
   return field(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
@@ -35,9 +37,9 @@ std::string csv(const Study& study, const Plan& plan, const Results& results) {
             (run.replicate ? std::to_string(*run.replicate) : std::string());
     for (std::size_t v = 0; v < study.variables.size(); ++v)
       text += "," + (study.variables[v].levels.empty()
-                         ? number(run.values[v])
+                         ? csv_number(run.values[v])
                          : field(value_text(study.variables[v], run.values[v])));
-    for (const double value : row.responses) text += "," + number(value);
+    for (const double value : row.responses) text += "," + csv_number(value);
     text += "," + field(row.reason) + "\n";
   }
   return text;

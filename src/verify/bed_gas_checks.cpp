@@ -70,7 +70,7 @@ struct Column {
 
 // p^2/2 + slip p rises by mu R T J L/(2 K) from the top, J the flux that leaves there; `slip` [Pa]
 // is 4 lambda p/r.
-double closed_form(double slip) {
+double expected_pressure(double slip) {
   const double drive = chemistry::viscosity(1.0, T) * gas_constant * T * (release / area) * height /
                        (2.0 * permeability);
   const double whole = 0.5 * top * top + slip * top + drive;
@@ -88,7 +88,7 @@ std::vector<Check> bed_gas_checks() {
            Column(wide).bottom(), 3126.0, 0.005 * 3126.0, "Pa",
            "p_b^2 = p_t^2 + mu R T J L/K by hand; tolerance: the viscosity's last digit"},
           {"coupling.bed_pressure.slip", "The same with slip at the pores' walls",
-           Column(r).bottom(), closed_form(slip), 0.002 * closed_form(slip), "Pa",
+           Column(r).bottom(), expected_pressure(slip), 0.002 * expected_pressure(slip), "Pa",
            "closed form of d(p^2/2 + 4 lambda p/r); tolerance: slip is taken layer by layer"}};
 }
 

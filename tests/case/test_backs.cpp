@@ -22,7 +22,8 @@ Surface wall(const Shape& shape, std::uint32_t body) {
 }
 
 // One body a shape; particles begin in a cylinder of 10 to 30 mm height, 10 mm wide.
-std::vector<std::string> told(const std::vector<Shape>& shapes, const Motion& motion = Rest{}) {
+std::vector<std::string> backs_told(const std::vector<Shape>& shapes,
+                                    const Motion& motion = Rest{}) {
   Case c{};
   c.species.resize(1);
   c.species[0].region = CylinderRegion{Vec3(0, 0, 0.01), 0.01, 0.0, 0.02};
@@ -39,7 +40,7 @@ Shape cylinder(double radius, double facing) {
   return Revolved{Vec3::Zero(), up, radius, 0.0, radius, 0.05, facing};
 }
 Shape cone(double facing) { return Revolved{Vec3::Zero(), up, 0.002, -0.02, 0.02, 0.03, facing}; }
-Shape disc(double z, double facing) {
+Shape disc_of(double z, double facing) {
   return Revolved{Vec3(0, 0, z), up, 0.0, 0.0, 0.02, 0.0, facing};
 }
 Shape sheet(bool faces_up) {
@@ -56,26 +57,27 @@ TEST_CASE(
       {Plane{Vec3::Zero(), up}, Plane{Vec3::Zero(), -up}},
       {cylinder(0.02, -1.0), cylinder(0.02, 1.0)},
       {cone(-1.0), cone(1.0)},
-      {disc(0.0, -1.0), disc(0.0, 1.0)},
-      {disc(0.04, 1.0), disc(0.04, -1.0)},
+      {disc_of(0.0, -1.0), disc_of(0.0, 1.0)},
+      {disc_of(0.04, 1.0), disc_of(0.04, -1.0)},
       {sheet(true), sheet(false)}};
   for (const auto& [right, wrong] : right_and_wrong) {
     CAPTURE(right.index());
-    CHECK(told({right}).empty());
-    const auto warnings = told({wrong});
+    CHECK(backs_told({right}).empty());
+    const auto warnings = backs_told({wrong});
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Contains("wall w0: ") && Contains("nothing of it but its back"));
   }
 }
 
 TEST_CASE("what is seen from both sides, hidden, far off or not there yet is not told") {
-  CHECK(told({cylinder(0.001, 1.0)}).empty());                       // a rod in the bed
-  CHECK(told({cylinder(0.02, -1.0), cylinder(0.03, 1.0)}).empty());  // the outside of a vessel
-  CHECK(told({Plane{Vec3(0, 0, 0.02), up}}).empty());                // amid the particles
+  CHECK(backs_told({cylinder(0.001, 1.0)}).empty());  // a rod in the bed
+  CHECK(
+      backs_told({cylinder(0.02, -1.0), cylinder(0.03, 1.0)}).empty());  // the outside of a vessel
+  CHECK(backs_told({Plane{Vec3(0, 0, 0.02), up}}).empty());              // amid the particles
   Case later{};
   later.particles.push_back({0, Vec3(0, 0, 0.01), Vec3::Zero(), Vec3::Zero(), {}, {}});
   later.walls.bodies.push_back({"lid", Rest{}});
-  later.walls.surfaces.push_back(wall(disc(0.04, -1.0), 0));
+  later.walls.surfaces.push_back(wall(disc_of(0.04, -1.0), 0));
   later.walls.surfaces[0].from = 1.0;
   warn_of_backs(0, later);
   CHECK(later.warnings.empty());
@@ -87,8 +89,8 @@ TEST_CASE("what is seen from both sides, hidden, far off or not there yet is not
 TEST_CASE("a moved wall is looked at where it stands at the start") {
   // Half a turn a second about x since -1.5 s: from z = 0 under the particles, upside down now.
   const Rotate turned{Vec3::Zero(), Vec3::UnitX(), 3.14159265358979, -1.0, 10.0};
-  CHECK(told({Plane{Vec3::Zero(), up}}, turned).size() == 1);
-  CHECK(told({Plane{Vec3::Zero(), -up}}, turned).empty());
+  CHECK(backs_told({Plane{Vec3::Zero(), up}}, turned).size() == 1);
+  CHECK(backs_told({Plane{Vec3::Zero(), -up}}, turned).empty());
 }
 
 TEST_CASE("no wall of a shipped case shows its back to its particles alone") {

@@ -20,7 +20,7 @@ casefile::StlFile read_text(const std::string& bytes) {
   return stl;
 }
 
-std::string problem(const std::string& bytes) {
+std::string problem_of(const std::string& bytes) {
   const casefile::StlFile stl = read_text(bytes);
   return stl.problems.empty() ? "" : stl.problems.front();
 }
@@ -67,15 +67,15 @@ TEST_CASE("several solids in one file are one mesh") {
 
 TEST_CASE("a text that is cut or holds no number is refused with its line") {
   const std::string whole = "solid a\n" + facet + "endsolid a\n";
-  CHECK_THAT(problem(whole.substr(0, whole.size() - 21)), Contains("wanted endfacet, found ''"));
-  CHECK_THAT(problem(test::replaced(whole, "10 0 +0.0", "10 0 +0.0mm")),
+  CHECK_THAT(problem_of(whole.substr(0, whole.size() - 21)), Contains("wanted endfacet, found ''"));
+  CHECK_THAT(problem_of(test::replaced(whole, "10 0 +0.0", "10 0 +0.0mm")),
              Contains("line 5: wanted a finite number, found '+0.0mm'"));
-  CHECK_THAT(problem(test::replaced(whole, "outer", "inner")),
+  CHECK_THAT(problem_of(test::replaced(whole, "outer", "inner")),
              Contains("line 3: wanted outer, found 'inner'"));
-  CHECK_THAT(problem("solid a\nendsolid a\n"), Contains("holds no triangle"));
+  CHECK_THAT(problem_of("solid a\nendsolid a\n"), Contains("holds no triangle"));
 }
 
 TEST_CASE("a binary file that is cut, or longer than announced, is refused") {
-  CHECK_THAT(problem(binary(2, 1)), Contains("is no STL file"));
-  CHECK_THAT(problem(binary(1, 1).replace(0, 5, "begin") + "x"), Contains("is no STL file"));
+  CHECK_THAT(problem_of(binary(2, 1)), Contains("is no STL file"));
+  CHECK_THAT(problem_of(binary(1, 1).replace(0, 5, "begin") + "x"), Contains("is no STL file"));
 }

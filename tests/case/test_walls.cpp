@@ -32,7 +32,7 @@ std::string stl_case(const std::string& file) {
          "\"\nscale = \"10 mm\"\n";
 }
 
-double area(const Facet& facet) {
+double mesh_area(const Facet& facet) {
   double sum = 0.0;
   for (const auto& t : facet.triangles) sum += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
   return sum;
@@ -51,8 +51,8 @@ TEST_CASE("an STL cube becomes six flat facets of one body") {
     const auto* facet = std::get_if<Facet>(&surface.shape);
     if (facet == nullptr) continue;
     CHECK(facet->triangles.size() == 2);
-    CHECK(area(*facet) == Approx(1e-4).epsilon(1e-6));
-    sum += area(*facet) * facet->normal;
+    CHECK(mesh_area(*facet) == Approx(1e-4).epsilon(1e-6));
+    sum += mesh_area(*facet) * facet->normal;
   }
   CHECK(sum.norm() < 1e-12);  // a closed surface (Gauss)
 }
@@ -85,7 +85,7 @@ TEST_CASE("a box has six inward faces that close") {
   for (const Surface& surface : made.walls.surfaces) {
     const auto* facet = std::get_if<Facet>(&surface.shape);
     if (facet == nullptr) continue;
-    total += area(*facet);
+    total += mesh_area(*facet);
     CHECK(facet->normal.dot(-facet->triangles[0][0]) > 0);  // the middle is inside
     for (const auto& t : facet->triangles)
       CHECK((t[1] - t[0]).cross(t[2] - t[0]).normalized().dot(facet->normal) == Approx(1.0));
@@ -162,7 +162,7 @@ TEST_CASE("a rectangle is one facet that faces along x across") {
                          "[walls.plate]\nkind = \"rectangle\"\nmaterial = \"coated-wall\"\n"
                          "corner = \"10 0 5 mm\"\nalong = \"20 0 0 mm\"\nacross = \"0 30 0 mm\"\n");
   const auto& facet = std::get<Facet>(made.walls.surfaces.back().shape);
-  CHECK(area(facet) == Approx(600e-6));
+  CHECK(mesh_area(facet) == Approx(600e-6));
   CHECK((facet.normal - Vec3::UnitZ()).norm() < 1e-12);
   CHECK(faults_of(small_case + "[walls.plate]\nkind = \"rectangle\"\nmaterial = \"coated-wall\"\n"
                                "corner = \"10 0 5 mm\"\nalong = \"20 0 0 mm\"\n"

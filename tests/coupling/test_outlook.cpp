@@ -10,7 +10,7 @@ using namespace pmr;
 
 namespace {
 
-Particles row_of(const std::vector<double>& places) {
+Particles rows_of(const std::vector<double>& places) {
   Particles p;
   for_each_field(p, [&](const char*, const char*, auto& field) { field.resize(places.size()); });
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -27,7 +27,7 @@ Particles row_of(const std::vector<double>& places) {
 TEST_CASE("an outlook goes on as the last interval went") {
   const Case c{};
   State state;
-  state.particles = row_of({0.0, 0.01});
+  state.particles = rows_of({0.0, 0.01});
   state.opening.particles = 2;
   state.walls.cell_energy = {5.0};
   CHECK(coupling::look_ahead(c, state, 1.0).temperature == state.particles.temperature);
@@ -48,7 +48,7 @@ TEST_CASE("nodes in space: each particle has its own, neighbours lie close, the 
   constexpr std::size_t alive = 200;  // ids 200 down to 1; 0 is lost
   std::vector<double> places;
   for (std::size_t i = 0; i < alive; ++i) places.push_back(static_cast<double>(i * 77 % alive));
-  Particles p = row_of(places);
+  Particles p = rows_of(places);
   for (ParticleId& id : p.id) ++id;
   coupling::Nodes nodes;
   nodes.particles = alive + 1;

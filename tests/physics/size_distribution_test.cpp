@@ -15,7 +15,7 @@ constexpr double density = 3460.0;  // [kg/m3]
 constexpr double count = 100000;
 const SizeSample sample{7, 1, density};
 
-double mass_of(const std::vector<double>& diameters) {
+double mass_in(const std::vector<double>& diameters) {
   double sum = 0.0;
   for (const double d : diameters) sum += density * pi / 6.0 * d * d * d;
   return sum;
@@ -110,7 +110,7 @@ TEST_CASE("A mass is met to half a particle, and more mass keeps the first sizes
   std::vector<double> before;
   for (const double mass : {1e-4, 3e-3, 0.05}) {
     const auto d = sizes_of_mass(sizes, sample, mass);
-    CHECK(std::abs(mass_of(d) - mass) <= 0.5 * largest);
+    CHECK(std::abs(mass_in(d) - mass) <= 0.5 * largest);
     CHECK(std::equal(before.begin(), before.end(), d.begin()));
     before = d;
   }

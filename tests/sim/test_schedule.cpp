@@ -9,13 +9,13 @@
 using namespace pmr;
 
 namespace {
-Case tiny() {
+Case tiny_schedule() {
   return casefile::load_case(std::filesystem::path(PMR_SOURCE_DIR) / "tests/sim/tiny.toml");
 }
 }  // namespace
 
 TEST_CASE("Intervals of the react phase meet every border and grow in between") {
-  const Case c = tiny();
+  const Case c = tiny_schedule();
   const sim::Schedule schedule(c, 2e-5);
   State state;
   state.phase = Phase::react;
@@ -43,7 +43,7 @@ TEST_CASE("Intervals of the react phase meet every border and grow in between") 
 
 TEST_CASE("Pictures of a moving bed come when they are asked for, whatever the heat's interval") {
   const double dt = 1.3e-5;  // [s] divides nothing here
-  Case c = tiny();
+  Case c = tiny_schedule();
   c.mix->duration = 1.0;
   c.output.snapshot_times = {0.033, 5.0};
   for (const double frame : {0.005, 0.05, 0.3}) {
@@ -68,7 +68,7 @@ TEST_CASE("Pictures of a moving bed come when they are asked for, whatever the h
 }
 
 TEST_CASE("Pictures at multiples of the heat's interval leave the intervals as they are") {
-  Case c = tiny();
+  Case c = tiny_schedule();
   c.output.snapshot_interval = 0.04;
   c.output.snapshot_times = {};
   const sim::Schedule schedule(c, 2e-5);
@@ -83,7 +83,7 @@ TEST_CASE("Pictures at multiples of the heat's interval leave the intervals as t
 }
 
 TEST_CASE("The mix phase ends at rest, held for its time, or at its deadline") {
-  const Case c = tiny();
+  const Case c = tiny_schedule();
   const sim::Schedule schedule(c, 2e-5);
   State state;
   schedule.begin(state);

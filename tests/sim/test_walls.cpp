@@ -14,7 +14,7 @@ using pmr::test::Folder;
 
 namespace {
 
-const std::atomic<bool> never{false};
+const std::atomic<bool> no_stop_wished{false};
 
 // One bead of 1.5 mm radius that lies on the floor.
 const std::string lying = R"(
@@ -39,7 +39,7 @@ std::string ending(const std::vector<std::string>& sets) {
   const Folder folder("lid");
   sim::Simulation simulation(c, folder.path);
   try {
-    simulation.run(never, [](const auto&) {});
+    simulation.run(no_stop_wished, [](const auto&) {});
   } catch (const NumericsError& error) {
     return error.what();
   }
@@ -68,7 +68,7 @@ TEST_CASE("A run that loses more particles than its case allows is no good run")
     const Case c = casefile::load_case_text(lying, "lost", {}, sets);
     const Folder folder("lost");
     sim::Simulation simulation(c, folder.path);
-    CHECK(simulation.run(never, [](const auto&) {}) == sim::Ending::completed);
+    CHECK(simulation.run(no_stop_wished, [](const auto&) {}) == sim::Ending::completed);
     return sim::reasons_to_fail(c, simulation.state());
   };
   CHECK(reasons({}).empty());
