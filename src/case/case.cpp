@@ -35,25 +35,43 @@ constexpr int deepest = 8;  // cases that lie on one another
 
 using Folders = std::map<std::string, fs::path>;  // by the name of the file
 
-// A case may lie on another: what it says replaces or adds to what "extends" names. Whether there
-// was such a base.
+// The names that "extends" gives: one, or a list.
+std::vector<std::string> bases_named(const Node& extends) {
+  std::vector<std::string> names;
+  const auto add = [&](const Node& node) {
+    if (node.kind != Node::Kind::string)
+      throw CaseError({{to_string(node.place), "extends",
+                        "wanted a case file's name in quotes, or a list of them"}});
+    names.push_back(node.text);
+  };
+  if (extends.kind == Node::Kind::array)
+    for (const Node& item : extends.items) add(item);
+  else
+    add(extends);
+  return names;
+}
+
+// A case may lie on others: what it says replaces or adds to what "extends" names, and of those
+// each to the one before. Whether there was such a base.
 bool lay_on_base(Node& document, const fs::path& base_dir, Folders& folders, int depth = 0) {
   const Node* extends = document.find("extends");
   if (extends == nullptr) return false;
   const std::string place = to_string(extends->place);
-  if (extends->kind != Node::Kind::string)
-    throw CaseError({{place, "extends", "wanted a case file's name in quotes"}});
   if (depth == deepest)
     throw CaseError({{place, "extends", "the cases extend each other in a circle"}});
-  const fs::path file = base_dir / extends->text;
-  if (!fs::is_regular_file(file))
-    throw CaseError({{place, "extends", "there is no case file " + file.string()}});
-  Node base = parse_toml(text_of(file), file.string());
-  folders[file.string()] = file.parent_path();
-  lay_on_base(base, file.parent_path(), folders, depth + 1);
+  Node below;
+  for (const std::string& name : bases_named(*extends)) {
+    const fs::path file = base_dir / name;
+    if (!fs::is_regular_file(file))
+      throw CaseError({{place, "extends", "there is no case file " + file.string()}});
+    Node base = parse_toml(text_of(file), file.string());
+    folders[file.string()] = file.parent_path();
+    lay_on_base(base, file.parent_path(), folders, depth + 1);
+    merge(below, base);
+  }
   document.members.erase("extends");
-  merge(base, document);
-  document = std::move(base);
+  merge(below, document);
+  document = std::move(below);
   return true;
 }
 
@@ -153,6 +171,7 @@ Case read_case(Reading& reading, const Node& document) {
   Table root(reading, document, "");
   made.title = root.word(root.moves_nothing("title"), "a text in quotes");
   made.description = root.word_or(root.moves_nothing("description"), "");
+  root.look(root.moves_nothing("calibration"));  // where the parameters are from: a record
   made.seed = root.count("seed", 0, 1);
   made.gravity = read_gravity(root);
   made.bed = root.file_if_any("bed");

@@ -27,6 +27,7 @@ struct Parser {
   RunOptions run_options;
   RenderOptions render_options;
   SweepOptions sweep_options;
+  CalibrateOptions calibrate_options;
   std::vector<std::filesystem::path> folders;
   std::filesystem::path html;
   report::ReportWishes wishes;
@@ -40,6 +41,7 @@ struct Parser {
     add_run();
     add_looks();
     add_sweep();
+    add_calibrate();
   }
 
   void add_run() {
@@ -115,17 +117,45 @@ struct Parser {
                      "key=value: a constant of the study, or a key of every case; repeatable")
         ->expected(1)
         ->take_all();
-    verb->add_option("--jobs", sweep_options.jobs, "runs at once [as many as threads]")
-        ->check(CLI::Range(1, 1024));
-    verb->add_option("--threads", sweep_options.threads, "threads of all together [all cores]")
-        ->check(CLI::Range(1, 1024));
-    verb->add_option("--engine", sweep_options.engine, "local, or slurm: job arrays by sbatch")
-        ->check(CLI::IsMember({"local", "slurm"}));
+    add_jobs(verb, sweep_options.jobs);
     verb->add_flag("--plan", sweep_options.only_plan, "only say what would be done");
     verb->callback([this] {
       action = [this] {
         sweep_options.study_file = find_study(sweep_options.study_file);
         return sweep(sweep_options);
+      };
+    });
+  }
+
+  void add_jobs(CLI::App* verb, JobOptions& jobs) {
+    verb->add_option("--jobs", jobs.at_once, "runs at once [as many as threads]")
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--threads", jobs.threads, "threads of all together [all cores]")
+        ->check(CLI::Range(1, 1024));
+    verb->add_option("--engine", jobs.engine, "local, or slurm: job arrays by sbatch")
+        ->check(CLI::IsMember({"local", "slurm"}));
+  }
+
+  void add_calibrate() {
+    auto* verb = app.add_subcommand("calibrate", "parameters of cases from tests made in a lab");
+    verb->add_option("LAB", calibrate_options.lab_file,
+                     "lab file (TOML), or the name of a shipped one")
+        ->required();
+    verb->add_option("-o,--output", calibrate_options.folder, "folder [out/<lab>]");
+    verb->add_option("--set", calibrate_options.sets,
+                     "key=value: a constant of the lab file, or a key of every case; repeatable")
+        ->expected(1)
+        ->take_all();
+    verb->add_option("--stage", calibrate_options.last, "the last stage to carry out");
+    verb->add_flag("--full", calibrate_options.is_full, "full samples alone, no small ones");
+    verb->add_option("--synthetic", calibrate_options.truth,
+                     "make a lab file: results of the tests at the parameters of this file");
+    add_jobs(verb, calibrate_options.jobs);
+    verb->add_flag("--plan", calibrate_options.only_plan, "only say what would be done");
+    verb->callback([this] {
+      action = [this] {
+        calibrate_options.lab_file = find_lab(calibrate_options.lab_file);
+        return calibrate(calibrate_options);
       };
     });
   }

@@ -29,7 +29,8 @@ sim::Ending run_steps(sim::Simulation& simulation, const io::FolderLock& lock) {
   });
 }
 
-int carry_out(sim::Simulation& simulation, const RunRecord& record, const io::FolderLock& lock) {
+int carry_out_run(sim::Simulation& simulation, const RunRecord& record,
+                  const io::FolderLock& lock) {
   try {
     return finish_run(simulation, record, run_steps(simulation, lock));
   } catch (const StorageError&) {
@@ -65,7 +66,7 @@ int begin(Start& start, const RunOptions& options, const fs::path& folder,
   io::create_run(folder, header_of(c, record));
   auto simulation =
       start.bed ? sim::Simulation(c, folder, std::move(*start.bed)) : sim::Simulation(c, folder);
-  return carry_out(simulation, record, lock);
+  return carry_out_run(simulation, record, lock);
 }
 
 int go_on(const fs::path& folder, const std::string& command, const io::FolderLock& lock) {
@@ -78,7 +79,7 @@ int go_on(const fs::path& folder, const std::string& command, const io::FolderLo
   for (const auto& [key, value] : io::read_header(folder).provenance)
     if (key.rfind("bed", 0) == 0) record.provenance[key] = value;
   sim::Simulation simulation(c, folder, std::move(state));
-  return carry_out(simulation, record, lock);
+  return carry_out_run(simulation, record, lock);
 }
 
 }  // namespace

@@ -57,4 +57,8 @@ fs::path find_study(const fs::path& named) {
   return find(named, shipped_folder() / "studies", "study");
 }
 
+fs::path find_lab(const fs::path& named) {
+  return find(named, shipped_folder() / "calibration", "lab");
+}
+
 }  // namespace pmr::cli

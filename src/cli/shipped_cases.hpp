@@ -1,4 +1,4 @@
-// Cases and studies that come with the program, found by name from any folder.
+// Cases, studies and labs that come with the program, found by name from any folder.
 #pragma once
 #include <filesystem>
 
@@ -8,5 +8,6 @@ namespace pmr::cli {
 // with or without ".toml"). A bare name that is neither is a fault that names the shipped ones.
 std::filesystem::path find_case(const std::filesystem::path& named);
 std::filesystem::path find_study(const std::filesystem::path& named);
+std::filesystem::path find_lab(const std::filesystem::path& named);
 
 }  // namespace pmr::cli

@@ -1,18 +1,15 @@
 // pmr sweep: a study from its file to its table and report.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <map>
-#include <thread>
 
 #include "cli/console.hpp"
+#include "cli/jobs.hpp"
 #include "cli/log.hpp"
 #include "cli/stop_signal.hpp"
-#include "cli/sweep_progress.hpp"
 #include "cli/verbs.hpp"
 #include "pmr/base/errors.hpp"
-#include "study/engine.hpp"
 #include "study/page.hpp"
 #include "study/results.hpp"
 
@@ -20,20 +17,6 @@ namespace pmr::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
-
-int cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
-struct Share {
-  std::size_t at_once;
-  int threads;  // [1] of each run
-};
-Share share_of(const SweepOptions& options) {
-  const int total = options.threads > 0 ? options.threads : cores();
-  const int at_once = options.jobs > 0 ? options.jobs : total;
-  return {static_cast<std::size_t>(at_once), std::max(1, total / at_once)};
-}
 
 void print_plan(const study::Study& study, const study::Plan& plan,
                 const std::vector<study::Job>& jobs, const Share& share) {
@@ -53,10 +36,7 @@ void print_plan(const study::Study& study, const study::Plan& plan,
   say(fmt::format("to do    {} mixings and {} runs, {} at once, {} thread{} each\n",
                   jobs.size() - runs_left, runs_left, share.at_once, share.threads,
                   share.threads == 1 ? "" : "s"));
-  const double parallel = static_cast<double>(share.at_once) * share.threads;
-  const double hours = seconds / parallel / 3600.0;
-  say(fmt::format("forecast about {}\n", hours < 2.0 ? fmt::format("{:.0f} min", 60.0 * hours)
-                                                     : fmt::format("{:.1f} h", hours)));
+  say(fmt::format("forecast about {}\n", duration_text(seconds / share.cores())));
 }
 
 void print_results(const study::Results& results, const fs::path& folder, bool stopped) {
@@ -82,20 +62,6 @@ int status_of(const study::Results& results, const fs::path& folder, bool stoppe
   return interrupted;
 }
 
-// Whether it was stopped.
-bool carry_out_jobs(const std::vector<study::Job>& jobs, const study::Folder& folder,
-                    const SweepOptions& options, const Share& share) {
-  const AtStake at_stake;
-  const StopToken stop = at_stake.token();
-  SweepProgress progress(jobs, share.at_once * static_cast<std::size_t>(share.threads));
-  const auto show = [&](const study::JobEvent& event) { progress.show(event); };
-  if (options.engine == "slurm")
-    study::run_on_slurm(jobs, folder.root(), share.threads, stop, show);
-  else
-    study::run_here(jobs, share.at_once, stop, show);
-  return stop.is_set();
-}
-
 }  // namespace
 
 int sweep(const SweepOptions& options) {
@@ -104,15 +70,16 @@ int sweep(const SweepOptions& options) {
   const study::Plan plan = study::make_plan(study);
   const study::Folder folder(fs::absolute(
       options.folder.empty() ? fs::path("out") / options.study_file.stem() : options.folder));
-  const Share share = share_of(options);
+  const Share share = share_of(options.jobs);
   if (options.only_plan) {
     print_plan(study, plan, folder.jobs(plan, this_program(), share.threads), share);
     return done;
   }
-  const io::FolderLock lock = folder.prepare(study, plan);
+  const io::FolderLock lock = folder.prepare(study.text);
+  folder.write_cases(plan);
   const auto jobs = folder.jobs(plan, this_program(), share.threads);
   print_plan(study, plan, jobs, share);
-  const bool stopped = carry_out_jobs(jobs, folder, options, share);
+  const bool stopped = carry_out(jobs, folder, options.jobs, share);
   const study::Results results = study::collect(study, plan, folder);
   study::write_tables(study, plan, results, folder.root());
   if (!stopped) study::write_page(study, plan, results, folder);

@@ -36,15 +36,32 @@ int render(const RenderOptions& options);
 
 int verify(bool json);
 
+// How the runs of a study or a calibration are made.
+struct JobOptions {
+  int at_once = 0;               // runs at once; 0: as many as threads
+  int threads = 0;               // of all together; 0: all cores
+  std::string engine = "local";  // or "slurm"
+};
+
 struct SweepOptions {
   std::filesystem::path study_file;
   std::filesystem::path folder;   // empty: out/<name of the study file>
   std::vector<std::string> sets;  // key=value of the study's constants or of every case
-  int jobs = 0;                   // runs at once; 0: as many as threads
-  int threads = 0;                // of all together; 0: all cores
-  std::string engine = "local";   // or "slurm"
-  bool only_plan = false;         // says what would be done, and does nothing
+  JobOptions jobs;
+  bool only_plan = false;  // says what would be done, and does nothing
 };
 int sweep(const SweepOptions& options);
+
+struct CalibrateOptions {
+  std::filesystem::path lab_file;
+  std::filesystem::path folder;     // empty: out/<name of the lab file>
+  std::filesystem::path truth;      // empty: none; else a lab is made at its parameters
+  std::vector<std::string> sets;    // key=value of the lab's constants or of every case
+  std::optional<std::string> last;  // stage to end with
+  JobOptions jobs;
+  bool is_full = false;    // no small samples
+  bool only_plan = false;  // says what would be done, and does nothing
+};
+int calibrate(const CalibrateOptions& options);
 
 }  // namespace pmr::cli

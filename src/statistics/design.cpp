@@ -1,7 +1,10 @@
 #include "statistics/design.hpp"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <openturns/ComposedDistribution.hxx>
+#include <openturns/DistFunc.hxx>
 #include <openturns/GeometricProfile.hxx>
 #include <openturns/LHSExperiment.hxx>
 #include <openturns/RandomGenerator.hxx>
@@ -71,6 +74,25 @@ Points sample(Sequence sequence, std::span<const Span> spans, std::size_t count,
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = 0; k < spans.size(); ++k) points[i][k] = value_at(spans[k], unit(i, k));
   return points;
+}
+
+std::vector<double> normal_values(std::span<const double> fractions, std::span<const double> mean,
+                                  const std::vector<std::vector<double>>& covariance) {
+  constexpr double least = 1e-9;  // [1] of the probability: no point is infinitely far
+  const auto n = static_cast<Eigen::Index>(mean.size());
+  Eigen::MatrixXd matrix(n, n);
+  Eigen::VectorXd standard(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    standard[i] = OT::DistFunc::qNormal(std::clamp(fractions[k], least, 1.0 - least));
+    for (Eigen::Index j = 0; j < n; ++j) matrix(i, j) = covariance[k][static_cast<std::size_t>(j)];
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  ensure(factor.info() == Eigen::Success, "a covariance is positive");
+  const Eigen::VectorXd shift = factor.matrixL() * standard;
+  std::vector<double> values(mean.begin(), mean.end());
+  for (Eigen::Index i = 0; i < n; ++i) values[static_cast<std::size_t>(i)] += shift[i];
+  return values;
 }
 
 }  // namespace pmr::statistics

@@ -33,4 +33,9 @@ using Points = std::vector<std::vector<double>>;  // [point][variable]
 Points sample(Sequence sequence, std::span<const Span> spans, std::size_t count,
               std::uint64_t seed);
 
+// Normal variables that depend on each other, at a point of the unit cube: mean + L q(u), with q
+// the quantiles of the standard normal distribution and L L' the covariance (Cholesky's factor).
+std::vector<double> normal_values(std::span<const double> fractions, std::span<const double> mean,
+                                  const std::vector<std::vector<double>>& covariance);
+
 }  // namespace pmr::statistics

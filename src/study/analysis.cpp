@@ -8,7 +8,7 @@
 namespace pmr::study {
 namespace {
 
-bool is_completed(const Row& row) { return row.status == "completed"; }
+bool has_completed(const Row& row) { return row.status == "completed"; }
 
 std::vector<double> levels_of(const Study& study, const PlannedRun& run) {
   std::vector<double> levels;
@@ -56,7 +56,7 @@ std::vector<Group> groups_of(const Study& study, const Plan& plan, const Results
     Group& group = groups[levels];
     group.name = levels_name(study, plan.runs[k]);
     group.levels = levels;
-    if (is_completed(results.rows[k])) group.rows.push_back(k);
+    if (has_completed(results.rows[k])) group.rows.push_back(k);
   }
   std::vector<Group> all;
   all.reserve(groups.size());

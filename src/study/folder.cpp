@@ -17,23 +17,6 @@ namespace fs = std::filesystem;
   throw CaseError({{folder.string(), "", problem}});
 }
 
-// study.toml is written first: a study that was killed before that left at most these.
-bool is_leftover(const fs::path& file) {
-  return file.filename() == io::FolderLock::name || file.filename() == "study.toml.tmp";
-}
-
-void check_place(const fs::path& root) {
-  std::error_code error;
-  const auto status = fs::status(root, error);
-  if (error && status.type() != fs::file_type::not_found) refuse(root, error.message());
-  if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) refuse(root, "is not a folder");
-  if (fs::exists(root / "study.toml")) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root))
-    if (!is_leftover(entry.path()))
-      refuse(root, "holds files that are no study of pmr; name another output folder");
-}
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -63,18 +46,35 @@ std::string status_of(const fs::path& run_folder) {
   }
 }
 
-io::FolderLock Folder::prepare(const Study& study, const Plan& plan) const {
-  check_place(root_);
+void Folder::check_place() const {
+  std::error_code error;
+  const auto status = fs::status(root_, error);
+  if (error && status.type() != fs::file_type::not_found) refuse(root_, error.message());
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) refuse(root_, "is not a folder");
+  if (fs::exists(root_ / asked_for_)) return;
+  // What is asked for is written first: what was killed before that left at most these.
+  for (const fs::directory_entry& entry : fs::directory_iterator(root_))
+    if (const fs::path name = entry.path().filename();
+        name != io::FolderLock::name && name != asked_for_ + ".tmp")
+      refuse(root_, "holds files but no " + asked_for_ + " of pmr; name another output folder");
+}
+
+io::FolderLock Folder::prepare(const std::string& asked_for) const {
+  check_place();
   make_folder(root_);
   io::FolderLock lock(root_);
-  io::replace_text(root_ / "study.toml", study.text);
+  io::replace_text(root_ / asked_for_, asked_for);
   for (const char* inner : {"cases", "mixings", "runs", "logs"}) make_folder(root_ / inner);
+  return lock;
+}
+
+void Folder::write_cases(const Plan& plan) const {
   for (const Mixing& m : plan.mixings)
     if (!fs::exists(case_file("mixing-" + m.name)))
       io::replace_text(case_file("mixing-" + m.name), m.case_text);
   for (const PlannedRun& r : plan.runs)
     if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r));
-  return lock;
 }
 
 Job Folder::job(const std::string& name, const fs::path& folder, std::vector<std::string> fresh,

@@ -1,5 +1,5 @@
 // The folder of a study: which file stands where, what is done, what is left to do.
-//   study.toml           the study as last asked for
+//   study.toml           the study as last asked for (lab.toml: a calibration)
 //   cases/NAME.toml      the whole case of each run, ready for `pmr run`
 //   mixings/HASH, runs/NAME   run folders
 //   logs/NAME.log        what each job said
@@ -26,12 +26,17 @@ struct Job {
 
 class Folder {
  public:
-  explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
+  // `asked_for` is the name of the file that says what the folder is for.
+  explicit Folder(std::filesystem::path root, std::string asked_for = "study.toml")
+      : root_(std::move(root)), asked_for_(std::move(asked_for)) {}
 
-  // Makes the folders, writes study and cases. A run whose case is another now than when it was
-  // run goes. CaseError when the folder holds something else, or another process writes it or such
-  // a run. The lock is to be held while the study runs.
-  [[nodiscard]] io::FolderLock prepare(const Study& study, const Plan& plan) const;
+  // Makes the folders and writes what was asked for. CaseError when the folder holds something
+  // else, or another process writes it. The lock is to be held while the study runs.
+  [[nodiscard]] io::FolderLock prepare(const std::string& asked_for) const;
+
+  // Writes the cases. A run whose case is another now than when it was run goes. CaseError when
+  // another process writes such a run.
+  void write_cases(const Plan& plan) const;
 
   // What is not completed yet, each mixing right before the first run that waits for it; begun runs
   // go on from their checkpoint. `program` is pmr, each job on `threads`.
@@ -48,7 +53,10 @@ class Folder {
   Job job(const std::string& name, const std::filesystem::path& folder,
           std::vector<std::string> fresh, const std::string& program, int threads) const;
 
+  void check_place() const;
+
   std::filesystem::path root_;
+  std::string asked_for_;
 };
 
 // "completed", "stopped", "failed", or "" where no summary stands.

@@ -46,37 +46,12 @@ const Level& level_of(const Variable& v, double value) {
   return v.levels.at(static_cast<std::size_t>(value));
 }
 
-// key = value with its unit, as `--set` takes it.
-std::string key_setting(const Variable& v, double value) {
-  return v.unit.empty() ? fmt::format("{}={}", v.key, value)
-                        : fmt::format("{}=\"{} {}\"", v.key, value, v.unit);
-}
-
-// Adds what is derived from what is known, whichever way round it was written.
-void derive(const Study& study, Values& known) {
-  auto left = study.derived;
-  while (!left.empty()) {
-    const std::size_t before = left.size();
-    std::string problem;
-    std::erase_if(left, [&](const auto& entry) {
-      try {
-        known[entry.first] = evaluated(entry.second, known);
-        return true;
-      } catch (const std::invalid_argument& error) {
-        if (problem.empty()) problem = "derived." + entry.first + ": " + error.what();
-        return false;
-      }
-    });
-    if (left.size() == before) throw std::invalid_argument(problem);
-  }
-}
-
 // Constants, variables, and what is derived from them.
 Values known_at(const Study& study, const PlannedRun& run) {
   Values known = study.constants;
   for (std::size_t k = 0; k < study.variables.size(); ++k)
     known[study.variables[k].name] = run.values[k];
-  derive(study, known);
+  derive(study.derived, known);
   return known;
 }
 
@@ -87,7 +62,7 @@ std::vector<std::string> settings_of(const Study& study, const PlannedRun& run) 
   for (const Setting& setting : study.settings) settings.push_back(filled(setting, known));
   for (std::size_t k = 0; k < study.variables.size(); ++k) {
     const Variable& v = study.variables[k];
-    if (!v.key.empty()) settings.push_back(key_setting(v, run.values[k]));
+    if (!v.key.empty()) settings.push_back(key_setting(v.key, v.unit, run.values[k]));
     if (v.levels.empty()) continue;
     for (const Setting& setting : level_of(v, run.values[k]).settings)
       settings.push_back(filled(setting, known));
@@ -97,19 +72,6 @@ std::vector<std::string> settings_of(const Study& study, const PlannedRun& run) 
   return settings;
 }
 
-std::string safe(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' ||
-                       c == '=' || c == '_';
-    if (plain)
-      out += c;
-    else if (out.empty() || out.back() != '-')
-      out += '-';
-  }
-  return out;
-}
-
 constexpr std::size_t longest_name = 80;
 
 // "ratio=2.seed=3"; of many variables the hash of that.
@@ -117,7 +79,7 @@ std::string name_of(const Study& study, const PlannedRun& run) {
   std::string name;
   for (std::size_t k = 0; k < study.variables.size(); ++k)
     name += (k == 0 ? "" : "_") + study.variables[k].name + "=" +
-            safe(value_text(study.variables[k], run.values[k]));
+            safe_name(value_text(study.variables[k], run.values[k]));
   if (name.size() > longest_name) {
     Hash hash;
     hash.add(std::string_view(name));
@@ -145,21 +107,6 @@ bool is_shareable(const Case& c) {
   return c.bed.empty() && c.react && sim::has_heat(c) && (c.fill || c.mix);
 }
 
-// Of one core, measured with the study's first case: all of its runs are on one machine.
-class Forecaster {
- public:
-  sim::Forecast operator()(const Case& c) {
-    if (!costs_) {
-      const ThreadLimit one_core(1);
-      costs_ = sim::measure_costs(c);
-    }
-    return sim::forecast(c, *costs_);
-  }
-
- private:
-  std::optional<sim::UnitCosts> costs_;
-};
-
 std::size_t mixing_of(const Case& c, const sim::Forecast& forecast, Plan& plan) {
   const std::string name = mechanical_hash(c);
   for (std::size_t k = 0; k < plan.mixings.size(); ++k)
@@ -168,15 +115,15 @@ std::size_t mixing_of(const Case& c, const sim::Forecast& forecast, Plan& plan) 
   return plan.mixings.size() - 1;
 }
 
-void read_case(const Study& study, PlannedRun& run, Forecaster& forecaster, Plan& plan) {
-  const Case c = casefile::load_case(study.case_file, settings_of(study, run));
-  run.case_text = c.text;
-  const sim::Forecast forecast = forecaster(c);
-  run.seconds = forecast.react.total();
-  if (is_shareable(c))
-    run.mixing = mixing_of(c, forecast, plan);
-  else
-    run.seconds += forecast.moving();
+// The values of a group of normal variables in place of even ones.
+void correlate(const Correlated& group, const std::vector<statistics::Span>& spans,
+               std::vector<double>& point) {
+  std::vector<double> fractions;
+  for (const std::size_t v : group.variables)
+    fractions.push_back(statistics::fraction_at(spans[v], point[v]));
+  const auto values = statistics::normal_values(fractions, group.mean, group.covariance);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    point[group.variables[k]] = std::clamp(values[k], group.low[k], group.high[k]);
 }
 
 void check_names(const Study& study, const Plan& plan) {
@@ -188,6 +135,48 @@ void check_names(const Study& study, const Plan& plan) {
 }
 
 }  // namespace
+
+std::vector<Fault> Planner::add(Plan& plan, PlannedRun run, const std::filesystem::path& case_file,
+                                const std::vector<std::string>& settings) {
+  std::vector<Fault> faults;
+  try {
+    const Case c = casefile::load_case(case_file, settings);
+    run.case_text = c.text;
+    if (!costs_) {
+      const ThreadLimit one_core(1);
+      costs_ = sim::measure_costs(c);
+    }
+    const sim::Forecast forecast = sim::forecast(c, *costs_);
+    run.seconds = forecast.react.total();
+    if (is_shareable(c))
+      run.mixing = mixing_of(c, forecast, plan);
+    else
+      run.seconds += forecast.moving();
+  } catch (const CaseError& error) {
+    run.fault = error.what();
+    faults = error.faults();
+  }
+  plan.runs.push_back(std::move(run));
+  return faults;
+}
+
+std::string key_setting(const std::string& key, const std::string& unit, double value) {
+  return unit.empty() ? fmt::format("{}={}", key, value)
+                      : fmt::format("{}=\"{} {}\"", key, value, unit);
+}
+
+std::string safe_name(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' ||
+                       c == '=' || c == '_';
+    if (plain)
+      out += c;
+    else if (out.empty() || out.back() != '-')
+      out += '-';
+  }
+  return out;
+}
 
 std::string value_text(const Variable& v, double value) {
   if (!v.levels.empty()) return level_of(v, value).name;
@@ -201,31 +190,34 @@ Points design_points(const Study& study) {
   const auto sequence = study.design.kind == DesignKind::sobol
                             ? statistics::Sequence::sobol
                             : statistics::Sequence::latin_hypercube;
-  return statistics::sample(sequence, spans, study.design.samples, study.design.seed);
+  Points points = statistics::sample(sequence, spans, study.design.samples, study.design.seed);
+  for (auto& point : points)
+    for (const Correlated& group : study.correlated) correlate(group, spans, point);
+  return points;
 }
 
 Plan make_plan(const Study& study) {
   Plan plan;
   std::vector<Fault> faults;  // of the first run that is wrong
   std::size_t sound = 0;
-  Forecaster forecaster;
+  Planner planner;
   for (const auto& point : design_points(study))
     for (std::size_t k = 1; k <= study.replicates; ++k) {
       PlannedRun run;
       run.values = point;
       if (study.replicates > 1) run.replicate = k;
       run.name = name_of(study, run);
+      std::vector<Fault> wrong;
       try {
-        read_case(study, run, forecaster, plan);
-        ++sound;
-      } catch (const CaseError& error) {
-        run.fault = error.what();
-        if (faults.empty()) faults = error.faults();
+        const auto settings = settings_of(study, run);
+        wrong = planner.add(plan, std::move(run), study.case_file, settings);
       } catch (const std::invalid_argument& error) {
         run.fault = error.what();
-        if (faults.empty()) faults = {{study.file.string(), "settings", error.what()}};
+        wrong = {{study.file.string(), "settings", error.what()}};
+        plan.runs.push_back(std::move(run));
       }
-      plan.runs.push_back(std::move(run));
+      if (wrong.empty()) ++sound;
+      if (faults.empty()) faults = std::move(wrong);
     }
   if (sound == 0) throw CaseError(std::move(faults));
   check_names(study, plan);

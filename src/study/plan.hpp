@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pmr/base/errors.hpp"
+#include "sim/forecast.hpp"
 #include "study/study.hpp"
 
 namespace pmr::study {
@@ -31,12 +33,31 @@ struct Plan {
   std::vector<Mixing> mixings;
 };
 
+// Makes a plan run by run. Unit costs are measured once, with the first case: all runs are on one
+// machine.
+class Planner {
+ public:
+  // Lays the settings on the case and adds the run that comes of it to the plan. What is wrong with
+  // the case: none if it is sound; else the run stands in the plan with its `fault`.
+  std::vector<Fault> add(Plan& plan, PlannedRun run, const std::filesystem::path& case_file,
+                         const std::vector<std::string>& settings);
+
+ private:
+  std::optional<sim::UnitCosts> costs_;
+};
+
 // The points of the design as values of the variables.
 std::vector<std::vector<double>> design_points(const Study& study);
 
 // Reads the case of every run. A case that is wrong at some points is told there (`fault`); wrong
 // at all of them, it is CaseError.
 Plan make_plan(const Study& study);
+
+// "key=value", with the unit where there is one, as `--set` takes it.
+std::string key_setting(const std::string& key, const std::string& unit, double value);
+
+// A name for a folder: letters, digits and . - = _ stand, other characters become one '-'.
+std::string safe_name(const std::string& text);
 
 // "2.5", "1100 degC", or the name of the level.
 std::string value_text(const Variable& variable, double value);

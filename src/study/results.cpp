@@ -34,21 +34,22 @@ void add_keys(const Value& value, const std::string& path, std::vector<std::stri
   }
 }
 
-Row completed_row(const Study& study, const PlannedRun& run, const Value& summary) {
+Row completed_row(std::span<const Response> responses, const PlannedRun& run,
+                  const Value& summary) {
   Row row;
   row.name = run.name;
   row.status = "completed";
-  for (const Response& r : study.responses)
+  for (const Response& r : responses)
     row.responses.push_back(r.factor * summary.number(r.key) + r.offset);
   for (const Value& warning : summary.items("warnings")) row.warnings.push_back(warning.as_text());
   return row;
 }
 
-Row row_without_result(const Study& study, const Plan& plan, const PlannedRun& run,
+Row row_without_result(std::size_t responses, const Plan& plan, const PlannedRun& run,
                        const Folder& folder) {
   Row row;
   row.name = run.name;
-  row.responses.assign(study.responses.size(), std::numeric_limits<double>::quiet_NaN());
+  row.responses.assign(responses, std::numeric_limits<double>::quiet_NaN());
   row.reason = run.fault;
   const auto look = [&](const fs::path& run_folder) {
     const fs::path log = folder.root() / "logs" / (run_folder.filename().string() + ".log");
@@ -63,28 +64,36 @@ Row row_without_result(const Study& study, const Plan& plan, const PlannedRun& r
   return row;
 }
 
-void warn_of_unknown(const Study& study, const std::vector<std::string>& keys, Results& results) {
-  for (const Response& r : study.responses)
-    if (std::find(keys.begin(), keys.end(), r.key) == keys.end())
-      results.warnings.push_back(fmt::format(
-          "responses.{}: {}", r.name, casefile::unknown_word("key of the summaries", r.key, keys)));
+bool is_completed(const PlannedRun& run, const Folder& folder) {
+  return run.fault.empty() && status_of(folder.run(run)) == "completed";
 }
 
 }  // namespace
 
+std::vector<std::string> keys_of_summary(const fs::path& run) {
+  std::vector<std::string> keys;
+  add_keys(summary_of(run), "", keys);
+  return keys;
+}
+
+Row row_of(std::span<const Response> responses, const Plan& plan, const PlannedRun& run,
+           const Folder& folder) {
+  return is_completed(run, folder) ? completed_row(responses, run, summary_of(folder.run(run)))
+                                   : row_without_result(responses.size(), plan, run, folder);
+}
+
 Results collect(const Study& study, const Plan& plan, const Folder& folder) {
   Results results;
-  std::vector<std::string> keys;
-  for (const PlannedRun& run : plan.runs) {
-    if (!run.fault.empty() || status_of(folder.run(run)) != "completed") {
-      results.rows.push_back(row_without_result(study, plan, run, folder));
-      continue;
-    }
-    const Value summary = summary_of(folder.run(run));
-    if (keys.empty()) add_keys(summary, "", keys);
-    results.rows.push_back(completed_row(study, run, summary));
-  }
-  if (!keys.empty()) warn_of_unknown(study, keys, results);
+  for (const PlannedRun& run : plan.runs)
+    results.rows.push_back(row_of(study.responses, plan, run, folder));
+  const auto known = std::find_if(plan.runs.begin(), plan.runs.end(),
+                                  [&](const PlannedRun& run) { return is_completed(run, folder); });
+  if (known == plan.runs.end()) return results;
+  const auto keys = keys_of_summary(folder.run(*known));
+  for (const Response& r : study.responses)
+    if (std::find(keys.begin(), keys.end(), r.key) == keys.end())
+      results.warnings.push_back(fmt::format(
+          "responses.{}: {}", r.name, casefile::unknown_word("key of the summaries", r.key, keys)));
   return results;
 }
 

@@ -1,6 +1,7 @@
 // What the runs of a study came to: one row a run.
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct Results {
   std::vector<Row> rows;              // in the order of the plan
   std::vector<std::string> warnings;  // of the study: responses that no summary knows
 };
+
+// What came of one run; of one without a result, why.
+Row row_of(std::span<const Response> responses, const Plan& plan, const PlannedRun& run,
+           const Folder& folder);
+
+// Every figure of a run's summary by its path.
+std::vector<std::string> keys_of_summary(const std::filesystem::path& run);
 
 // Reads the summaries.
 Results collect(const Study& study, const Plan& plan, const Folder& folder);

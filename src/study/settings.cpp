@@ -45,6 +45,23 @@ double evaluated(const std::string& formula, const Values& values) {
   return result;
 }
 
+void derive(std::vector<std::pair<std::string, std::string>> left, Values& known) {
+  while (!left.empty()) {
+    const std::size_t before = left.size();
+    std::string problem;
+    std::erase_if(left, [&](const auto& entry) {
+      try {
+        known[entry.first] = evaluated(entry.second, known);
+        return true;
+      } catch (const std::invalid_argument& error) {
+        if (problem.empty()) problem = "derived." + entry.first + ": " + error.what();
+        return false;
+      }
+    });
+    if (left.size() == before) throw std::invalid_argument(problem);
+  }
+}
+
 std::string filled(const Setting& setting, const Values& values) {
   return setting.key + "=" + casefile::write_value(filled(setting.value, values));
 }

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cmath>
 
-#include "case/nearest.hpp"
-#include "case/reader.hpp"
-#include "pmr/base/text.hpp"
+#include "study/correlated.hpp"
+#include "study/file_parts.hpp"
 
 namespace pmr::study {
 namespace {
@@ -16,51 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using casefile::Node;
 using casefile::Table;
-
-// Members of a table in the order of the file.
-std::vector<std::pair<std::string, const Node*>> in_order(const Node* table) {
-  std::vector<std::pair<std::string, const Node*>> all;
-  if (table == nullptr) return all;
-  for (const auto& [name, node] : table->members) all.emplace_back(name, &node);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    const auto &p = a.second->place, &q = b.second->place;
-    return p.line != q.line ? p.line < q.line : p.column < q.column;
-  });
-  return all;
-}
-
-template <class Read>
-void for_each_in_order(Table& root, const std::string& key, const Read& read) {
-  for (const auto& [name, node] : in_order(root.look_table(key))) {
-    if (!node->is_table()) {
-      root.reading().fault(node->place, key + "." + name, "wanted a table");
-      continue;
-    }
-    Table table(root.reading(), *node, key + "." + name);
-    read(table, name);
-  }
-}
-
-std::vector<Setting> read_settings(Table& table) {
-  std::vector<Setting> settings;
-  for (const auto& [key, node] : in_order(table.look_table("settings")))
-    settings.push_back({key, *node});
-  return settings;
-}
-
-bool is_name(const std::string& word) {
-  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  return !word.empty() && letter(word.front()) &&
-         std::all_of(word.begin(), word.end(), [&](char c) {
-           return letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
-         });
-}
-
-void check_name(Table& table, const std::string& name) {
-  if (!is_name(name))
-    table.fault(
-        "", fmt::format("'{}' cannot stand in an expression; wanted letters, digits and _", name));
-}
 
 std::vector<Level> read_levels(Table& table) {
   std::vector<Level> levels;
@@ -146,31 +99,6 @@ Design read_design(Table& root) {
   return design;
 }
 
-template <class Shown>
-void read_shown(Table& table, Shown& shown) {
-  shown.label = table.word_or("label", shown.name);
-  shown.unit = table.word_or("unit", "");
-  shown.factor = table.value("factor", casefile::a_number, 1.0);
-  shown.offset = table.value("offset", casefile::a_number, 0.0);
-}
-
-void read_constants(Table& root, Study& study) {
-  for (const auto& [name, node] : in_order(root.look_table("constants"))) {
-    if (node->kind != Node::Kind::number)
-      root.reading().fault(node->place, "constants." + name, "wanted a number");
-    study.constants[name] = node->number;
-  }
-}
-
-void read_derived(Table& root, Study& study) {
-  for (const auto& [name, node] : in_order(root.look_table("derived"))) {
-    if (node->kind != Node::Kind::string)
-      root.reading().fault(node->place, "derived." + name,
-                           "wanted an expression in quotes such as \"(scale * ratio)^(1/3)\"");
-    study.derived.emplace_back(name, node->text);
-  }
-}
-
 std::optional<TradeOff> read_trade_off(Table& root, const std::vector<Response>& responses) {
   const Node* node = root.look_table("trade_off");
   if (node == nullptr) return std::nullopt;
@@ -189,27 +117,27 @@ Study read_root(casefile::Reading& reading, const Node& document, const fs::path
   study.file = file;
   study.title = root.word("title", "a text in quotes");
   study.teaches = root.word("teaches", "a paragraph on what the study is for");
-  const std::string base = root.word("case", "the name of the base case's file");
-  study.case_file = fs::absolute(file).parent_path() / base;
-  if (!base.empty() && !fs::is_regular_file(study.case_file))
-    root.fault("case", "there is no case file " + study.case_file.string());
+  study.case_file = read_case_name(root);
   study.replicates = root.count("replicates", 1, 1);
-  read_constants(root, study);
+  study.constants = read_constants(root);
   study.design = read_design(root);
-  if (root.need("variables", "a table for each variable") != nullptr)
-    for_each_in_order(root, "variables", [&](Table& table, const std::string& name) {
-      study.variables.push_back(read_variable(table, name, study.design.kind));
-      study.constants.erase(name);  // of a study that this one extends: varied here
-    });
+  if (!root.has("correlated")) root.need("variables", "a table for each variable");
+  for_each_in_order(root, "variables", [&](Table& table, const std::string& name) {
+    study.variables.push_back(read_variable(table, name, study.design.kind));
+    study.constants.erase(name);  // of a study that this one extends: varied here
+  });
+  for_each_in_order(root, "correlated", [&](Table& table, const std::string& name) {
+    read_correlated(table, name, study);
+  });
   study.settings = read_settings(root);
-  read_derived(root, study);
+  for (const auto& [name, node] : in_order(root.look_table("derived"))) {
+    if (node->kind != Node::Kind::string)
+      reading.fault(node->place, "derived." + name, wanted_formula);
+    study.derived.emplace_back(name, node->text);
+  }
   if (root.need("responses", "a table for each figure looked for") != nullptr)
     for_each_in_order(root, "responses", [&](Table& table, const std::string& name) {
-      Response response;
-      response.name = name;
-      response.key = table.word("key", "a key of summary.json such as \"yield/oxygen_per_kg\"");
-      read_shown(table, response);
-      study.responses.push_back(response);
+      study.responses.push_back(read_response(table, name));
     });
   for_each_in_order(root, "bands", [&](Table& table, const std::string& name) {
     Band band;
@@ -222,55 +150,15 @@ Study read_root(casefile::Reading& reading, const Node& document, const fs::path
   return study;
 }
 
-std::string study_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file))
-    throw CaseError({{file.string(), "", "cannot be read; wanted a study file"}});
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// "scale=1" changes a constant of that name; anything else is a setting of the cases.
-void apply(Study& study, const std::string& set) {
-  const std::size_t equals = set.find('=');
-  const std::string key = set.substr(0, equals);
-  const auto constant = study.constants.find(key);
-  if (constant == study.constants.end()) {
-    study.sets.push_back(set);
-    return;
-  }
-  const std::string value = equals == std::string::npos ? "" : set.substr(equals + 1);
-  const std::optional<double> number = finite_number(value);
-  if (!number)
-    throw CaseError({{"--set " + set, key, "wanted a number for this constant of the study"}});
-  constant->second = *number;
-}
-
-// A study may lie on another: tables are merged, anything else is replaced.
-Node document_of(const fs::path& file) {
-  Node document = casefile::parse_toml(study_text(file), file.string());
-  const Node* extends = document.find("extends");
-  if (extends == nullptr) return document;
-  const fs::path base_file = fs::absolute(file).parent_path() / extends->text;
-  if (extends->kind != Node::Kind::string || !fs::is_regular_file(base_file))
-    throw CaseError(
-        {{to_string(extends->place), "extends", "there is no study file " + base_file.string()}});
-  Node base = casefile::parse_toml(study_text(base_file), base_file.string());
-  if (const auto found = base.members.find("case"); found != base.members.end())
-    found->second.text = fs::absolute(base_file.parent_path() / found->second.text).string();
-  document.members.erase("extends");
-  casefile::merge(base, document);
-  return base;
-}
-
 }  // namespace
 
 Study read_study(const fs::path& file, const std::vector<std::string>& sets) {
-  const Node document = document_of(file);
+  const Node document = document_of(file, "study");
   casefile::Reading reading;
   Study study = read_root(reading, document, file);
   reading.finish();
   study.text = casefile::write_toml(document);
-  for (const std::string& set : sets) apply(study, set);
+  study.sets = apply_to_constants(sets, study.constants);
   return study;
 }
 

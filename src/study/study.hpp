@@ -51,6 +51,14 @@ struct Band {
   double factor = 1.0, offset = 0.0;
 };
 
+// Variables that are normal and depend on each other, such as parameters that a calibration found.
+struct Correlated {
+  std::vector<std::size_t> variables;  // their places among all
+  std::vector<double> mean;            // in the variables' units
+  std::vector<std::vector<double>> covariance;
+  std::vector<double> low, high;  // values beyond are put there
+};
+
 enum class DesignKind { grid, latin_hypercube, sobol };
 struct Design {
   DesignKind kind = DesignKind::grid;
@@ -72,6 +80,7 @@ struct Study {
   std::map<std::string, double> constants;  // none that a variable is named as
   std::vector<std::pair<std::string, std::string>> derived;  // names and their expressions
   std::vector<Variable> variables;                           // in the order of the file
+  std::vector<Correlated> correlated;                        // some of the variables
   Design design;
   std::vector<Setting> settings;
   std::vector<std::string> sets;  // of the command line, laid on the case of every run

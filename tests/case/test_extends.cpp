@@ -1,4 +1,5 @@
 // Cases that lie on others.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -34,6 +35,24 @@ TEST_CASE("a case says only what differs from the one it extends") {
   CHECK(over.species.at(0).diameter == base.species.at(0).diameter);
   CHECK(over.species.at(0).requested_mass == Approx(0.02));
   CHECK(load(over.text).species.at(0).count == over.species.at(0).count);  // stands on its own
+}
+
+TEST_CASE("a case lies on several, each laid on the one before") {
+  write("base.toml", small_case);
+  write("contacts.toml",
+        "[contacts.\"Al2O3|Al2O3\"]\nfriction = 0.37\n[calibration]\nlab = \"L\"\n");
+  write("over.toml", "extends = [\"base.toml\", \"contacts.toml\"]\ntitle = \"over\"\n");
+  const Case over = casefile::load_case(temporary("over.toml"), {});
+  CHECK(over.title == "over");
+  const auto& list = over.materials.list;
+  const auto bead =
+      std::find_if(list.begin(), list.end(), [](const Material& m) { return m.name == "Al2O3"; });
+  REQUIRE(bead != list.end());
+  const auto i = static_cast<std::size_t>(bead - list.begin());
+  CHECK(over.materials.pair(i, i).friction == 0.37);
+  CHECK(over.materials.pair(i, i).restitution == 0.75);  // as shipped
+  write("over.toml", "extends = [\"base.toml\", 3]\ntitle = \"over\"\n");
+  CHECK_THAT(fault_of("over.toml"), Contains("over.toml:1:") && Contains("or a list of them"));
 }
 
 TEST_CASE("a base that is not there, is no name or comes back to itself is told with its place") {

@@ -88,3 +88,23 @@ TEST_CASE("A span's fractions and values are each other's inverse, and impossibl
                   std::logic_error);
   CHECK_THROWS_AS(sample(Sequence::sobol, std::vector{Span{1.0, 1.0}}, 2, 0), std::logic_error);
 }
+
+TEST_CASE("Normal variables have the mean, deviation and correlation that were asked for") {
+  const std::vector<double> mean{0.3, 10.0};
+  const std::vector<std::vector<double>> covariance{{0.0004, -0.024}, {-0.024, 4.0}};  // -0.6
+  double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+  constexpr int n = 4096;
+  for (const auto& u : sample(Sequence::sobol, std::vector<Span>(2, {0.0, 1.0}), n, 0)) {
+    const auto v = normal_values(u, mean, covariance);
+    x += v[0] / n;
+    y += v[1] / n;
+    xx += (v[0] - mean[0]) * (v[0] - mean[0]) / n;
+    yy += (v[1] - mean[1]) * (v[1] - mean[1]) / n;
+    xy += (v[0] - mean[0]) * (v[1] - mean[1]) / n;
+  }
+  CHECK(x == Approx(0.3).epsilon(1e-3));
+  CHECK(y == Approx(10.0).epsilon(1e-3));
+  CHECK(xx == Approx(0.0004).epsilon(0.01));
+  CHECK(yy == Approx(4.0).epsilon(0.01));
+  CHECK(xy == Approx(-0.024).epsilon(0.02));
+}

@@ -1,5 +1,6 @@
 // What two measured levels say of two variables, against closed forms. The responses of most tests
 // are y1 = x + y and y2 = x y: measured at 0.5 and 0.04 they cross at (0.1, 0.4) and (0.4, 0.1).
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -172,6 +173,23 @@ TEST_CASE("Two peaks are two modes once the density between them falls below exp
   };
   CHECK(count(0.18) == 1);
   CHECK(count(0.22) == 2);
+}
+
+TEST_CASE("Regions of a normal density end where theirs do") {
+  // One variable: 68 % within 0.99446 deviations, z^2 / 2 = 0.4945; two: -ln(1 - 0.68) = 1.1394.
+  const auto depth = [](const Problem& problem, const Grid& grid) {
+    std::vector<Field> fields;
+    for (const Response& response : problem.responses) fields.push_back(field_of(grid, response));
+    const auto posterior =
+        normalised(grid, log_density(grid, fields, problem.measured, problem.priors));
+    return *std::max_element(posterior.log_density.begin(), posterior.log_density.end()) -
+           posterior.region_level(0.68);
+  };
+  const Response second = exact([](std::span<const double> p) { return p[1]; });
+  CHECK(depth({{exact(first_of)}, {{0.5, 0.05}}, Priors(1)}, Grid({{0.0, 1.0}}, 2001)) ==
+        Approx(0.4945).epsilon(0.02));
+  CHECK(depth({{exact(first_of), second}, {{0.5, 0.05}, {0.5, 0.08}}, Priors(2)},
+              Grid({{0.0, 1.0}, {0.0, 1.0}}, steps)) == Approx(1.1394).epsilon(0.02));
 }
 
 TEST_CASE("A mode at the edge of the box has its mass on the edge") {

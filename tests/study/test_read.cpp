@@ -2,6 +2,7 @@
 #include <set>
 
 #include "helpers.hpp"
+#include "study/plan.hpp"
 #include "study/settings.hpp"
 
 using namespace pmr;
@@ -80,4 +81,40 @@ TEST_CASE("Expressions stand in braces, and are written with all their digits") 
   CHECK_THROWS_AS(study::filled("${x / 0}", {{"x", 1.0}}), std::invalid_argument);
   CHECK_THROWS_AS(study::filled("${x", {{"x", 1.0}}), std::invalid_argument);
   CHECK_THROWS_AS(study::filled("${y}", {{"x", 1.0}}), std::invalid_argument);
+}
+
+TEST_CASE("Correlated variables come from a calibration's file, or from the study itself") {
+  const std::string group = R"(names = ["mu", "mu_r"]
+keys = ['contacts."SrFeO3|SrFeO3".friction', 'contacts."SrFeO3|SrFeO3".rolling_friction']
+units = ["", ""]
+values = [0.3, 0.1]
+deviations = [0.02, 0.05]
+low = [0.1, 0]
+high = [0.8, 0.5]
+correlation = [[1, -0.8], [-0.8, 1]]
+)";
+  const std::string sampled = response + "[design]\nkind = \"sobol\"\nsamples = 200\n";
+  const auto study = read(sampled + "[correlated.contacts]\n" + group);
+  REQUIRE(study.variables.size() == 2);
+  CHECK(study.variables[1].low == 0.0);
+  double covariance = 0.0;
+  std::size_t below = 0;
+  for (const auto& point : study::design_points(study)) {
+    covariance += (point[0] - 0.3) * (point[1] - 0.1) / 200.0;
+    below += point[1] < 0.0;
+  }
+  CHECK(below == 0);  // cut at the box: 2 % would lie below
+  CHECK(covariance == Approx(-0.0008).epsilon(0.1));
+  CHECK(study::make_plan(study).runs.at(0).fault.empty());
+
+  const StudyFile file(sampled + "[correlated.contacts]\nfile = \"found.toml\"\n");
+  const auto found = file.path().parent_path() / "found.toml";
+  std::ofstream(found) << "[calibration]\nlab = \"L\"\nversion = \"V\"\n" << group;
+  CHECK(study::read_study(file.path(), {}).correlated.at(0).covariance[0][1] == Approx(-0.0008));
+  CHECK(faults_of(response + "[correlated.c]\n" + group).size() == 1);  // a grid
+  CHECK(faults_of(sampled + "[correlated.c]\nfile = \"nowhere.toml\"\n").size() == 1);
+  std::string crooked = group;
+  crooked.replace(crooked.find("[1, -0.8]"), 9, "[1, -1.8]");
+  CHECK_THAT(to_string(faults_of(sampled + "[correlated.c]\n" + crooked).at(0)),
+             Contains("symmetric and positive"));
 }

@@ -16,7 +16,8 @@ pmr.kinds = {
   unrolled: { draw: pmr.draw_unrolled, rows: pmr.unrolled_rows },
   scatter: { draw: pmr.draw_scatter, rows: pmr.scatter_rows },
   bars: { draw: pmr.draw_bars, rows: pmr.bar_rows },
-  flow: { draw: pmr.draw_flow, rows: pmr.flow_rows }
+  flow: { draw: pmr.draw_flow, rows: pmr.flow_rows },
+  contours: { draw: pmr.draw_contours, rows: pmr.contour_rows }
 };
 
 pmr.csv = function (rows) {
