@@ -3,19 +3,17 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "pmr/base/constants.hpp"
 #include "statistics/design.hpp"
 #include "statistics/posterior.hpp"
 #include "study/study.hpp"
 
 namespace pmr::calibrate {
-
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A figure of a test that was measured. Its errors are standard deviations in its unit.
 struct Target {

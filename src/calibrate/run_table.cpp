@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "case/csv_text.hpp"
 #include "io/atomic_file.hpp"
+#include "pmr/base/constants.hpp"
 #include "pmr/base/errors.hpp"
 #include "pmr/base/text.hpp"
 
@@ -54,8 +54,7 @@ std::vector<TableRow> read_run_table(const std::filesystem::path& file) {
     const auto value = finite_number(cells[4]);
     if (!value && !cells[4].empty()) fault("'" + cells[4] + "' is no number");
     if (cells[2] != "completed" && cells[2] != "failed") fault("wanted completed or failed");
-    rows.push_back({cells[0], cells[1], cells[2], cells[3],
-                    value.value_or(std::numeric_limits<double>::quiet_NaN()), cells[5]});
+    rows.push_back({cells[0], cells[1], cells[2], cells[3], value.value_or(nan), cells[5]});
   }
   if (!faults.empty()) throw CaseError(std::move(faults));
   return rows;

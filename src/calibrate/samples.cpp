@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pmr/base/constants.hpp"
 
@@ -66,7 +65,7 @@ Fit fit(const Target& target, const std::vector<Parameter>& parameters,
   std::vector<double> values;
   std::vector<std::size_t> hidden;  // censored
   std::size_t lost = 0;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinity, high = -low;
   for (const Sample& sample : samples) {
     if (std::isfinite(sample.value)) {
       low = std::min(low, sample.value);
@@ -86,7 +85,7 @@ Fit fit(const Target& target, const std::vector<Parameter>& parameters,
       values[h] = mean_above(transformed(target, *target.beyond), surrogate.predict(points[h]));
     surrogate = Surrogate(spans, points, values);
   }
-  if (!hidden.empty()) high = std::numeric_limits<double>::infinity();
+  if (!hidden.empty()) high = infinity;
   const auto validation = surrogate.validate();
   std::string refusal = refusal_of(target, surrogate, validation);
   return {std::move(surrogate), validation, lost, hidden.size(), low, high, std::move(refusal)};

@@ -76,7 +76,9 @@ std::vector<Caught> caught_so_far(const Case& c, const State& state) {
         caught.threshold && !caught.time_to_threshold && caught.mass + p.mass >= *caught.threshold;
     if (is_reached)
       caught.time_to_threshold =
-          last[p.by] + (*caught.threshold - caught.mass) / p.mass * (p.time - last[p.by]);
+          caught.mass > 0.0
+              ? last[p.by] + (*caught.threshold - caught.mass) / p.mass * (p.time - last[p.by])
+              : p.time;
     last[p.by] = p.time;
     caught.mass += p.mass;
     caught.by_species[p.species] += p.mass;

@@ -19,7 +19,8 @@ struct Caught {
   double mass;                              // [kg]
   std::vector<double> by_species;           // [kg]
   std::optional<double> threshold;          // [kg]
-  std::optional<double> time_to_threshold;  // [s] on the run's clock, linear between two arrivals
+  std::optional<double> time_to_threshold;  // [s] on the run's clock, linear between two arrivals;
+                                            // the first one's own
 };
 std::vector<Caught> caught_so_far(const Case& c, const State& state);
 

@@ -45,9 +45,9 @@ TEST_CASE("A run that ended before its figure counts as above the limit; a faile
   std::vector<Sample> samples;
   for (int k = 0; k <= 10; ++k) {
     const double x = 0.1 * k, y = 10.0 * x;
-    samples.push_back({{x}, k <= 6 ? y : calibrate::nan, true});
+    samples.push_back({{x}, k <= 6 ? y : pmr::nan, true});
   }
-  samples.push_back({{0.55}, calibrate::nan, false});
+  samples.push_back({{0.55}, pmr::nan, false});
   const Fit seen = fit(target, one_parameter(), samples);
   CHECK(seen.censored == 4);
   CHECK(seen.lost == 1);
@@ -79,7 +79,7 @@ TEST_CASE("A table of runs is read as it was written, and its faults are told by
   const auto file = std::filesystem::temp_directory_path() / "pmr-run-table.csv";
   const std::vector<TableRow> rows{
       {"a", "0123456789abcdef", "completed", "y", 0.1 + 0.2, ""},
-      {"b", "0123456789abcdee", "failed", "y", calibrate::nan, "it said, \"no\""}};
+      {"b", "0123456789abcdee", "failed", "y", pmr::nan, "it said, \"no\""}};
   write_run_table(file, rows);
   const auto read = read_run_table(file);
   REQUIRE(read.size() == 2);

@@ -66,6 +66,9 @@ TEST_CASE("Masses add up by opening and species, and a threshold lies between tw
   CHECK(*all[0].time_to_threshold == Approx(2.0));  // half a gram of the second arrival's
   CHECK_FALSE(all[1].time_to_threshold);
   CHECK(ends_motion(c, state));
+  auto first = state;  // a threshold that the first arrival passes: nothing came before it
+  first.caught = {{0, 0, 0, 1.0, 5e-3, Vec3::Zero()}};
+  CHECK(*caught_so_far(c, first)[0].time_to_threshold == 1.0);
   state.caught.resize(2);
   CHECK_FALSE(ends_motion(c, state));
 }
