@@ -102,6 +102,17 @@ void add_strong(Value::Array& points, double x, double y, const std::string& nam
   points.push_back(std::move(p));
 }
 
+// A chart over the plane: lines of levels, and points.
+Value contours(const Plane& plane, Value::Array lines, Value::Array points) {
+  Value spec;
+  spec.set("kind", "contours");
+  spec.set("x", axis_of(plane.stage.parameters[0]));
+  spec.set("y", axis_of(plane.stage.parameters[1]));
+  spec.set("lines", std::move(lines));
+  spec.set("points", std::move(points));
+  return spec;
+}
+
 std::string level_text(const Target& target) {
   return fmt::format("{} ± {} {}", shown(target.value), shown(target.error, 2),
                      study::unit_shown(target.response.unit));
@@ -118,13 +129,8 @@ std::string level_chart(const Findings& f, const Plane& plane, const StageResult
   const auto [low, high] = std::minmax_element(drawn.mean.begin(), drawn.mean.end());
   Value::Array lines;
   add_band(plane, level, "#d55e00", "", lines);
-  Value spec;
-  spec.set("kind", "contours");
-  spec.set("x", axis_of(plane.stage.parameters[0]));
-  spec.set("y", axis_of(plane.stage.parameters[1]));
+  Value spec = contours(plane, std::move(lines), dots(result));
   spec.set("field", std::move(field));
-  spec.set("lines", std::move(lines));
-  spec.set("points", dots(result));
   return charts.add(
       anchor(plane.stage) + "-" + f.lab.target_name(level.target),
       f.lab.tests[level.target.test].label + ": " + target.response.label, std::move(spec),
@@ -167,14 +173,8 @@ std::string crossing_chart(const Findings& f, const Plane& plane, const StageRes
                m == 0 ? "found" : fmt::format("mode {}", m + 1));
   const auto &a = plane.stage.parameters[0].reference, &b = plane.stage.parameters[1].reference;
   if (a && b) add_strong(points, *a, *b, "reference");
-  Value spec;
-  spec.set("kind", "contours");
-  spec.set("x", axis_of(plane.stage.parameters[0]));
-  spec.set("y", axis_of(plane.stage.parameters[1]));
-  spec.set("lines", std::move(lines));
-  spec.set("points", std::move(points));
   return charts.add(anchor(plane.stage) + "-crossing", "Where the measured levels meet",
-                    std::move(spec));
+                    contours(plane, std::move(lines), std::move(points)));
 }
 
 // Over the one parameter of a stage.
