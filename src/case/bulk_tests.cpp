@@ -17,11 +17,11 @@ Rectangle read_rectangle(Table& table) {
   return made;
 }
 
-std::vector<Catch> read_catches(Table& root) {
-  std::vector<Catch> all;
+std::vector<CatchInstrument> read_catches(Table& root) {
+  std::vector<CatchInstrument> all;
   for_each_table(root, "catch", [&](Table& table, const std::string& name) {
     const Rectangle opening = read_rectangle(table);
-    Catch made{name, opening.corner, opening.along, opening.across, {}, false};
+    CatchInstrument made{name, opening.corner, opening.along, opening.across, {}, false};
     made.threshold = table.maybe("threshold", {Dimension::mass, positive});
     made.ends_motion = table.flag("ends_motion", false);
     if (made.ends_motion && !made.threshold)

@@ -12,7 +12,7 @@ struct Rectangle {
 // `corner`, `along` and `across` of a table; a fault where the sides are no right angle.
 Rectangle read_rectangle(Table& table);
 
-std::vector<Catch> read_catches(Table& root);
+std::vector<CatchInstrument> read_catches(Table& root);
 std::optional<HeapInstrument> read_heap(Table& root);
 std::vector<WallForce> read_wall_forces(Table& root, const Walls& walls);
 

@@ -8,7 +8,7 @@ namespace {
 
 // An opening with its plane's unit normal towards where particles come from.
 struct Plane {
-  const Catch* opening;
+  const CatchInstrument* opening;
   Vec3 normal;  // [1]
 
   double over(const Vec3& x) const { return (x - opening->corner).dot(normal); }  // [m]
@@ -30,7 +30,7 @@ double crossing(const Plane& plane, const Vec3& from, const Vec3& to) {
 
 std::vector<Plane> planes_of(const Case& c) {
   std::vector<Plane> planes;
-  for (const Catch& one : c.catches)
+  for (const CatchInstrument& one : c.catches)
     planes.push_back({&one, one.along.cross(one.across).normalized()});
   return planes;
 }
@@ -68,7 +68,7 @@ std::vector<CaughtParticle> crossings(const Case& c, const State& before, const 
 std::vector<Caught> caught_so_far(const Case& c, const State& state) {
   std::vector<Caught> all;
   std::vector<double> last(c.catches.size(), 0.0);  // [s] arrival
-  for (const Catch& one : c.catches)
+  for (const CatchInstrument& one : c.catches)
     all.push_back({one.name, 0.0, std::vector<double>(c.species.size(), 0.0), one.threshold, {}});
   for (const CaughtParticle& p : state.caught) {
     Caught& caught = all[p.by];

@@ -100,7 +100,7 @@ io::Series landing_table(const State& state) {
 void write_bulk_tests(const std::filesystem::path& folder, const Case& setup,
                       const io::Series& series, const State& state) {
   std::vector<std::string> caught, forces;
-  for (const Catch& one : setup.catches) {
+  for (const CatchInstrument& one : setup.catches) {
     caught.push_back("catch." + one.name);
     for (const Species& species : setup.species)
       caught.push_back("catch." + one.name + "." + species.name);

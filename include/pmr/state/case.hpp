@@ -215,7 +215,7 @@ struct ConductivityInstrument {
 };
 // An opening that catches: a rectangle; particles whose centre crosses it from its facing side (of
 // along x across) leave the run and are booked as caught.
-struct Catch {
+struct CatchInstrument {
   std::string name;
   Vec3 corner, along, across;       // [m]
   std::optional<double> threshold;  // [kg] it is told when so much has been caught ...
@@ -260,7 +260,7 @@ struct Case {
   std::optional<Decomposition> decomposition;
   std::vector<Thermocouple> thermocouples;
   std::optional<ConductivityInstrument> conductivity;
-  std::vector<Catch> catches;
+  std::vector<CatchInstrument> catches;
   std::optional<HeapInstrument> heap;
   std::vector<WallForce> wall_forces;
   OutputCase output;
