@@ -89,6 +89,34 @@ double rate(const RelaxationRate& law, const Redox& redox, const RateState& at) 
          relaxation_time(law, end >= at.delta, at.temperature);
 }
 
+// c/2 k/p0^n [mol O2/s/m3/Pa^n] of one vacancy a formula unit.
+double constant_of(const VacancyRate& law, const RateState& at) {
+  const Arrhenius k{law.pre_exponential, law.activation_energy};
+  return 0.5 * at.concentration * rate_constant(1.0, k, at.temperature) /
+         std::pow(law.reference_pressure, law.exponent);
+}
+
+double rate(const VacancyRate& law, const Redox& redox, const RateState& at) {
+  const RedoxEquilibrium& eq = redox.equilibrium;
+  const double p_eq = equilibrium_pressure(eq, at.temperature, at.delta, bond_of(eq, at));
+  const double drive =
+      power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
+  return constant_of(law, at) * at.delta * drive;
+}
+
+RateSlopes slopes(const VacancyRate& law, const Redox& redox, const RateState& at) {
+  const RedoxEquilibrium& eq = redox.equilibrium;
+  const double T = at.temperature, bond = bond_of(eq, at), k = constant_of(law, at);
+  const double p_eq = equilibrium_pressure(eq, T, at.delta, bond);
+  const Power inside = power(p_eq, law.exponent), outside = power(at.oxygen_pressure, law.exponent);
+  const double drive = inside.value - outside.value;
+  const double by_ln_p = k * at.delta * inside.slope * p_eq;  // d r / d ln p_eq
+  return {k * at.delta * drive, k * drive + by_ln_p * ln_pressure_delta_slope(eq, T, at.delta),
+          k * at.delta * drive * law.activation_energy / (gas_constant * T * T) +
+              by_ln_p * ln_pressure_temperature_slope_with(eq, T, bond),
+          -k * at.delta * outside.slope};
+}
+
 RateSlopes slopes(const RelaxationRate& law, const Redox& redox, const RateState& at) {
   const RedoxEquilibrium& eq = redox.equilibrium;
   const double T = at.temperature, p = std::max(at.oxygen_pressure, lowest_pressure);

@@ -4,6 +4,9 @@
 // (2023) 9487. With pores, m = 1, times the effectiveness of a sphere whose p_eq is the same all
 // through and whose gas comes and goes by Knudsen diffusion.
 // RelaxationRate (K2): r = c/2 (delta_eq(T, pO2) - delta)/tau(T), c the formula units per volume.
+// VacancyRate (K3): r = c/2 k(T) delta ((p_eq/p0)^n - (pO2/p0)^n); the oxidation is that of Bulfin
+// et al., J. Phys. Chem. C 117 (2013) 24129, the reduction follows by detailed balance from the
+// material's own equilibrium (theirs, A_red exp(-E_red/(R T)) (limit - delta), for that of ceria).
 // A new law is a struct in RateLaw, an overload in kinetics.cpp and a line in the case reader.
 #pragma once
 #include <limits>

@@ -148,6 +148,12 @@ RelaxationRate read(Table& law, RelaxationRate) {
           law.value("shortest", a_duration)};
 }
 
+VacancyRate read(Table& law, VacancyRate) {
+  return {law.value("pre_exponential", {Dimension::event_rate, positive}),
+          law.value("activation_energy", an_energy), law.value("exponent", a_positive_number),
+          law.value("reference_pressure", {Dimension::pressure, positive})};
+}
+
 // The law that "law" names, with its figures; else it stays what it is.
 template <class Law>
 void read_named(Table& table, Law& law) {

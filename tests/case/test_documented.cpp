@@ -65,6 +65,9 @@ rate = {law = "relaxation"}
 [materials.NAME3]
 heat = {law = "oxide"}
 conductivity = {law = "alumina"}
+[materials.NAME3.redox]
+equilibrium = {}
+rate = {law = "vacancies"}
 [contacts."NAME|NAME"]
 [walls.NAME]
 kind = "plane"

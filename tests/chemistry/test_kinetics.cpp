@@ -5,6 +5,7 @@
 
 #include "chemistry/kinetics.hpp"
 #include "chemistry/redox.hpp"
+#include "pmr/base/constants.hpp"
 #include "verify/reference_materials.hpp"
 
 using namespace pmr;
@@ -19,11 +20,13 @@ Redox with_exponent(double m) {
 // Every law and what may be added to it.
 std::vector<Redox> laws() {
   std::vector<Redox> all{with_exponent(0.5), with_exponent(1.0), with_exponent(1.0),
-                         with_exponent(1.0), with_exponent(1.0), with_exponent(1.0)};
+                         with_exponent(1.0), with_exponent(1.0), with_exponent(1.0),
+                         with_exponent(1.0)};
   std::get<PowerRate>(all[2].rate).oxidation = Arrhenius{3.4e10, 177.1e3};
   all[3].pores = PoreDiffusion{3e-5, 1000.0};
   all[4].rate = RelaxationRate{40.0, 673.15, 144e3, 92e3, 1.0};
   all[5].equilibrium.oxygen_entropy.reset();
+  all[6].rate = VacancyRate{82.0, 36e3, 0.218, 1e5};
   return all;
 }
 constexpr double concentration = 1.8e4, radius = 0.735e-3;  // [mol/m3], [m]
@@ -65,6 +68,32 @@ TEST_CASE("the rate's slopes are those of its differences") {
             Approx((rate(T, d + 1e-6, p) - rate(T, d - 1e-6, p)) / 2e-6).epsilon(2e-6));
       CHECK(slopes.by_oxygen_pressure ==
             Approx((rate(T, d, p + h) - rate(T, d, p - h)) / (2.0 * h)).epsilon(2e-6));
+    }
+}
+
+TEST_CASE("by detailed balance the vacancies' law has the reduction that Bulfin et al. state") {
+  // Their ceria: delta/(0.35 - delta) = 8700 (p/bar)^-n exp(-195.6 kJ/mol/(R T)), in the common
+  // form as cases/materials/CeO2.toml says; oxidation 82/s (p/bar)^n exp(-36 kJ/mol/(R T)) delta.
+  // In vacuum d(delta)/dt is then 82 8700 exp(-231.6 kJ/mol/(R T)) (0.35 - delta).
+  constexpr double n = 0.217, bound = 195.6e3;
+  Redox ceria = *verify::reference_ferrite().redox;
+  RedoxEquilibrium& eq = ceria.equilibrium;
+  eq.enthalpy_minimum = eq.enthalpy_maximum = bound / (2.0 * n);
+  eq.vibration_entropy = 0.0;
+  eq.oxygen_entropy = std::log(8700.0) / n * gas_constant / 2.0;
+  eq.configuration = 1.0 / (4.0 * n);
+  eq.delta_limit = 0.35;
+  ceria.rate = VacancyRate{82.0, 36e3, n, 1e5};
+  for (const double T : {1200.0, 1700.0, 2000.0})
+    for (const double delta : {0.01, 0.1, 0.3}) {
+      const auto by_time = [&](double p) {  // d(delta)/dt [1/s]
+        return 2.0 * oxygen_rate(ceria, {T, delta, p, concentration, radius}) / concentration;
+      };
+      const double out =
+          82.0 * 8700.0 * std::exp(-(36e3 + bound) / (gas_constant * T)) * (0.35 - delta);
+      const double in = 82.0 * std::exp(-36e3 / (gas_constant * T)) * delta;  // of p/bar to the n
+      CHECK(by_time(2e4) == Approx(out - in * std::pow(0.2, n)).epsilon(1e-9));
+      CHECK(by_time(1.0) == Approx(out - in * std::pow(1e-5, n)).epsilon(1e-9));
     }
 }
 

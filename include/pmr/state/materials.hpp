@@ -94,7 +94,16 @@ struct RelaxationRate {
   double oxidation_energy;       // [J/mol] ... and while it falls
   double shortest;               // [s] tau is never below this
 };
-using RateLaw = std::variant<PowerRate, RelaxationRate>;
+// K3: d(delta)/dt = k delta ((p_eq/p0)^n - (pO2/p0)^n), k = A exp(-Ea/(R T)): oxygen fills
+// vacancies in proportion to their number, and leaves as fast as that where the two balance.
+struct VacancyRate {
+  static constexpr const char* name = "vacancies";
+  double pre_exponential;     // A [1/s] at the reference pressure
+  double activation_energy;   // Ea [J/mol] of the oxidation
+  double exponent;            // n [1]
+  double reference_pressure;  // p0 [Pa]
+};
+using RateLaw = std::variant<PowerRate, RelaxationRate, VacancyRate>;
 // Pores that oxygen has to pass by Knudsen diffusion: D = diffusivity sqrt(T/reference).
 struct PoreDiffusion {
   double diffusivity;            // [m2/s] effective, at the reference temperature
