@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pmr/base/constants.hpp"
 #include "pmr/base/random.hpp"
@@ -11,7 +12,8 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr int most_sweeps = 5000;
+constexpr int patience = 300;  // sweeps until a grain that is shut in is strewn again
+constexpr int most_sweeps = 100 * patience;
 constexpr double allowed_overlap = 0.02;  // [1] of the diameter
 constexpr double overshoot = 1.02;        // [1] diameters that a push aims at
 
@@ -76,25 +78,56 @@ class Squares {
   std::vector<std::uint32_t> first_, next_;  // [squares], [places]
 };
 
-// Pushes those apart that are too close, one after the other; the deepest overlap that it met [m].
-// Squares are a half diameter wider than a push reaches, so that they hold while it goes on.
-double push_apart(const Face& face, double diameter, std::vector<Vec2>& places) {
-  const Squares squares(places, 1.5 * diameter);
-  double deepest = 0.0;
-  for (std::uint32_t i = 0; i < places.size(); ++i)
-    squares.around(places[i], [&](std::uint32_t j) {
-      if (j <= i) return;
-      const Vec2 apart = places[i] - places[j];
-      const double distance = apart.norm();
-      if (distance >= diameter) return;
-      deepest = std::max(deepest, diameter - distance);
-      const Vec2 n = distance > 0.0 ? Vec2(apart / distance) : Vec2(1.0, 0.0);
-      const Vec2 push = 0.5 * (overshoot * diameter - distance) * n;
-      places[i] = clamped(face, 0.5 * diameter, places[i] + push);
-      places[j] = clamped(face, 0.5 * diameter, places[j] - push);
-    });
-  return deepest;
-}
+// Grains that are pushed apart, sweep by sweep. Only pairs of which one has just moved can have
+// come too close.
+class Crowd {
+ public:
+  Crowd(const Face& face, double diameter, std::vector<Vec2> places)
+      : places(std::move(places)),
+        face_(face),
+        diameter_(diameter),
+        moved_(this->places.size(), true) {}
+
+  // Pushes those apart that overlap by more than is allowed, one after the other. Squares are a
+  // half diameter wider than a push reaches, so that they hold while it goes on.
+  void sweep() {
+    deepest = 0.0;
+    const Squares squares(places, 1.5 * diameter_);
+    const std::vector<bool> were_moved = std::exchange(moved_, std::vector<bool>(places.size()));
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+      if (were_moved[i])
+        squares.around(places[i], [&](std::uint32_t j) {
+          if (j != i && (j > i || !were_moved[j])) push(i, j);
+        });
+  }
+  void move(std::uint32_t i, const Vec2& to) {
+    places[i] = clamped(face_, 0.5 * diameter_, to);
+    moved_[i] = true;
+  }
+
+  std::vector<Vec2> places;         // [m]
+  double deepest = 0.0;             // [m] overlap that the last sweep pushed apart ...
+  std::uint32_t deepest_grain = 0;  // ... and a grain that had it
+
+ private:
+  void push(std::uint32_t i, std::uint32_t j) {
+    const Vec2 apart = places[i] - places[j];
+    const double distance = apart.norm();
+    if (distance >= (1.0 - allowed_overlap) * diameter_) return;
+    if (diameter_ - distance > deepest) {
+      deepest = diameter_ - distance;
+      deepest_grain = i;
+    }
+    const Vec2 n = distance > 0.0 ? Vec2(apart / distance) : Vec2(1.0, 0.0);
+    const Vec2 push = 0.5 * (overshoot * diameter_ - distance) * n;
+    move(i, places[i] + push);
+    move(j, places[j] - push);
+  }
+
+  Face face_;
+  double diameter_;          // [m]
+  std::vector<bool> moved_;  // in this sweep, or since
+};
 
 }  // namespace
 
@@ -102,17 +135,22 @@ double Face::area() const {
   return radius == 0.0 ? size[0] * size[1] : pi * (radius * radius - inner * inner);
 }
 
-std::vector<Vec2> grain_layer(const Face& face, double diameter, double area_fraction,
-                              std::uint64_t seed, std::uint64_t key) {
+std::optional<std::vector<Vec2>> grain_layer(const Face& face, double diameter,
+                                             double area_fraction, std::uint64_t seed,
+                                             std::uint64_t key) {
   const double count = area_fraction * face.area() / (pi / 4.0 * diameter * diameter);
   Random random(seed, Purpose::adhesion, key);
-  std::vector<Vec2> places;
+  std::vector<Vec2> strewn;
   for (long k = 0; k < std::lround(count); ++k)
-    places.push_back(clamped(face, 0.5 * diameter, anywhere(face, random)));
-  if (places.size() < 2) return places;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep)
-    if (push_apart(face, diameter, places) <= allowed_overlap * diameter) break;
-  return places;
+    strewn.push_back(clamped(face, 0.5 * diameter, anywhere(face, random)));
+  if (strewn.size() < 2) return strewn;
+  Crowd crowd(face, diameter, std::move(strewn));
+  for (int sweep = 1; sweep <= most_sweeps; ++sweep) {
+    crowd.sweep();
+    if (crowd.deepest == 0.0) return std::move(crowd.places);
+    if (sweep % patience == 0) crowd.move(crowd.deepest_grain, anywhere(face, random));
+  }
+  return std::nullopt;
 }
 
 }  // namespace pmr::physics

@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pmr::physics {
@@ -19,9 +20,11 @@ struct Face {
 inline constexpr double densest_layer = 0.78;
 
 // Places [m] of grains of one diameter [m] that cover the area fraction [1] of the face, whole
-// within it: strewn at random and pushed apart until none overlap by more than some fiftieth of the
-// diameter. A function of (seed, key).
-std::vector<Eigen::Vector2d> grain_layer(const Face& face, double diameter, double area_fraction,
-                                         std::uint64_t seed, std::uint64_t key);
+// within it: strewn at random and pushed apart until none overlap by more than a fiftieth of the
+// diameter; those that stay shut in between others are strewn again. None where that does not end.
+// A function of (seed, key).
+std::optional<std::vector<Eigen::Vector2d>> grain_layer(const Face& face, double diameter,
+                                                        double area_fraction, std::uint64_t seed,
+                                                        std::uint64_t key);
 
 }  // namespace pmr::physics

@@ -39,18 +39,21 @@ struct Layer {
   double diameter, area_fraction, height_deviation;  // [m], [1], [1] of the diameter
 };
 
-// Each stands on the face, higher or lower by up to the deviation.
-void strew(const PlacedFace& at, const Layer& layer, std::uint64_t seed, Grain grain,
+// Each stands on the face, higher or lower by up to the deviation. False where no such layer could
+// be made.
+bool strew(const PlacedFace& at, const Layer& layer, std::uint64_t seed, Grain grain,
            std::vector<Grain>& grains) {
   const auto places =
       physics::grain_layer(at.face, layer.diameter, layer.area_fraction, seed, grain.body);
+  if (!places) return false;
   Random random(seed, Purpose::adhesion, grain.body, 1);
-  for (const auto& place : places) {
+  for (const auto& place : *places) {
     const double height =
         layer.diameter * (0.5 + layer.height_deviation * (2.0 * random.uniform() - 1.0));
     grain.centre = at.origin + place[0] * at.x + place[1] * at.y + height * at.normal;
     grains.push_back(grain);
   }
+  return true;
 }
 
 void read_layer(Table& table, const WallSetting& setting, const GrainGround& ground, Grain grain,
@@ -62,9 +65,11 @@ void read_layer(Table& table, const WallSetting& setting, const GrainGround& gro
   const auto face = face_of(ground);
   if (!face && !ground.shapes.empty())
     table.fault("area_fraction", "wanted a wall of kind disc or rectangle; or grains from a csv");
-  const bool is_read = layer.area_fraction > 0.0 && layer.height_deviation >= 0.0;
-  if (face && is_read && grain.radius > 0.0 && face->face.area() > 0.0)
-    strew(*face, layer, setting.seed, grain, grains);
+  const bool is_read = layer.area_fraction > 0.0 && layer.area_fraction <= physics::densest_layer &&
+                       layer.height_deviation >= 0.0;
+  if (face && is_read && grain.radius > 0.0 && face->face.area() > 0.0 &&
+      !strew(*face, layer, setting.seed, grain, grains))
+    table.fault("area_fraction", "grains of this diameter do not fit on this face so densely");
 }
 
 void read_sheet(Table& table, const std::string& file, Grain grain, std::vector<Grain>& grains) {

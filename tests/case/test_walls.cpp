@@ -215,6 +215,11 @@ TEST_CASE("grains come from a file too, and what cannot be is told") {
   CHECK_THAT(fault_of("[walls.floor.grains]\nmaterial = \"Al2O3\"\ndiameter = \"2 mm\"\n"
                       "area_fraction = 0.7\nheight_deviation = 0.0\n"),
              Contains("disc or rectangle"));
+  CHECK_THAT(fault_of("[walls.bar]\nkind = \"rectangle\"\nmaterial = \"Al2O3\"\n"
+                      "corner = \"0 0 -8 mm\"\nalong = \"20 0 0 mm\"\nacross = \"0 3.1 0 mm\"\n"
+                      "[walls.bar.grains]\nmaterial = \"Al2O3\"\ndiameter = \"2.99 mm\"\n"
+                      "area_fraction = 0.78\nheight_deviation = 0.0\n"),
+             Contains("do not fit"));
 }
 
 TEST_CASE("a wall that moves with another has its motion") {

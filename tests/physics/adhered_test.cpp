@@ -142,26 +142,34 @@ TEST_CASE("A bed on a rough floor that shakes has the same bits on any number of
 }
 
 TEST_CASE("A layer covers its share of the face, within it, and nothing overlaps much") {
+  const double d = 1.47e-3;
   for (const physics::Face& face :
        {physics::Face{{60e-3, 30e-3}}, physics::Face{{0, 0}, 30e-3, 0.0},
-        physics::Face{{0, 0}, 30e-3, 12e-3}}) {
-    const double d = 1.47e-3;
-    const auto places = physics::grain_layer(face, d, 0.75, 1, 0);
-    const double covered = static_cast<double>(places.size()) * pi / 4.0 * d * d;
-    CHECK(covered == Approx(0.75 * face.area()).epsilon(1e-3));
-    double closest = 1.0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j)
-        closest = std::min(closest, (places[i] - places[j]).norm());
-      if (face.radius > 0.0) {
-        CHECK(places[i].norm() <= face.radius - 0.4999 * d);
-        CHECK(places[i].norm() >= face.inner + (face.inner > 0.0 ? 0.4999 * d : 0.0));
-      } else {
-        CHECK((places[i].minCoeff() >= 0.4999 * d && places[i][0] <= 60e-3 - 0.4999 * d));
+        physics::Face{{0, 0}, 30e-3, 12e-3}})
+    for (const double part : {0.75, physics::densest_layer})
+      for (const std::uint64_t seed : {1, 2, 3}) {  // some shut grains in at first
+        const auto places = *physics::grain_layer(face, d, part, seed, 0);
+        const double covered = static_cast<double>(places.size()) * pi / 4.0 * d * d;
+        CHECK(covered == Approx(part * face.area()).epsilon(1e-3));
+        double closest = 1.0;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          for (std::size_t j = 0; j < i; ++j)
+            closest = std::min(closest, (places[i] - places[j]).norm());
+          if (face.radius > 0.0) {
+            CHECK(places[i].norm() <= face.radius - 0.4999 * d);
+            CHECK(places[i].norm() >= face.inner + (face.inner > 0.0 ? 0.4999 * d : 0.0));
+          } else {
+            CHECK((places[i].minCoeff() >= 0.4999 * d && places[i][0] <= 60e-3 - 0.4999 * d));
+          }
+        }
+        CHECK(closest >= 0.98 * d);
+        const auto others = *physics::grain_layer(face, d, part, seed + 1, 0);
+        CHECK(others.front() != places.front());
       }
-    }
-    CHECK(closest >= 0.97 * d);
-    const auto others = physics::grain_layer(face, d, 0.75, 2, 0);
-    CHECK(others.front() != places.front());
-  }
+}
+
+TEST_CASE("A face that so many grains do not fit on has no layer") {
+  // Seven spheres of 2.99 mm stand side by side on 20.5 mm at the least (a fiftieth overlapping).
+  CHECK_FALSE(physics::grain_layer({{20e-3, 3.1e-3}}, 2.99e-3, 0.78, 1, 0));
+  CHECK(physics::grain_layer({{21e-3, 3.1e-3}}, 2.99e-3, 0.75, 1, 0));
 }
