@@ -116,14 +116,14 @@ std::vector<std::string> Runs::settings_of(const Wanted& wanted, bool with_param
   return settings;
 }
 
-// Contact parameters are known to every case, but act in those with both materials alone.
 bool Runs::takes(const std::string& key, const std::string& unit, double value, std::size_t test,
                  std::vector<Fault>& faults) const {
   const Wanted at_guess{test, false, guesses(lab_), "", 1};
   auto settings = settings_of(at_guess, false);
   settings.push_back(study::key_setting(key, unit, value));
   try {
-    return has_all(casefile::load_case(lab_.tests[test].case_file, settings), pair_of(key));
+    casefile::load_case(lab_.tests[test].case_file, settings);
+    return true;
   } catch (const CaseError& error) {
     if (faults.empty()) faults = error.faults();
     return false;
@@ -131,17 +131,23 @@ bool Runs::takes(const std::string& key, const std::string& unit, double value, 
 }
 
 void Runs::find_reach() {
-  for (std::size_t t = 0; t < lab_.tests.size(); ++t)  // sound without them: else that is told
-    for (const bool is_small : {false, true})
-      casefile::load_case(lab_.tests[t].case_file,
-                          settings_of({t, is_small, guesses(lab_), "", 1}, false));
+  std::vector<Case> cases;  // sound without the parameters: else that is told
+  for (std::size_t t = 0; t < lab_.tests.size(); ++t)
+    for (const bool is_small : {true, false}) {
+      Case c = casefile::load_case(lab_.tests[t].case_file,
+                                   settings_of({t, is_small, guesses(lab_), "", 1}, false));
+      if (!is_small) cases.push_back(std::move(c));
+    }
   std::vector<Fault> wrong;
   const study::Values values = guesses(lab_);
   const auto find = [&](const std::string& table, const std::string& name, const std::string& key,
                         const std::string& unit) {
     std::vector<Fault> faults;
+    // Contact parameters are known to every case, but act in those with both materials alone.
     for (std::size_t t = 0; t < lab_.tests.size(); ++t)
-      if (!key.empty() && takes(key, unit, values.at(name), t, faults)) reach_[name].insert(t);
+      if (!key.empty() && has_all(cases[t], pair_of(key)) &&
+          takes(key, unit, values.at(name), t, faults))
+        reach_[name].insert(t);
     if (key.empty() || !reach_[name].empty()) return;
     if (faults.empty())
       faults = {{lab_.file.string(), table + "." + name + ".key",

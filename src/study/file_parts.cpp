@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 using casefile::Node;
 using casefile::Table;
 
+constexpr int deepest = 8;  // files that lie on one another
+
 bool is_name(const std::string& word) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   return !word.empty() && letter(word.front()) &&
@@ -112,17 +114,18 @@ std::vector<std::string> apply_to_constants(const std::vector<std::string>& sets
   return left;
 }
 
-Node document_of(const fs::path& file, const std::string& noun) {
+Node document_of(const fs::path& file, const std::string& noun, int depth) {
   Node document = casefile::parse_toml(asked_text(file, noun), file.string());
   make_cases_absolute(document, fs::absolute(file).parent_path());
   const Node* extends = document.find("extends");
   if (extends == nullptr) return document;
+  const std::string place = to_string(extends->place);
+  if (depth == deepest)
+    throw CaseError({{place, "extends", "the files extend each other in a circle"}});
   const fs::path base_file = fs::absolute(file).parent_path() / extends->text;
   if (extends->kind != Node::Kind::string || !fs::is_regular_file(base_file))
-    throw CaseError({{to_string(extends->place), "extends",
-                      "there is no " + noun + " file " + base_file.string()}});
-  Node base = casefile::parse_toml(asked_text(base_file, noun), base_file.string());
-  make_cases_absolute(base, fs::absolute(base_file).parent_path());
+    throw CaseError({{place, "extends", "there is no " + noun + " file " + base_file.string()}});
+  Node base = document_of(base_file, noun, depth + 1);
   document.members.erase("extends");
   casefile::merge(base, document);
   return base;

@@ -51,9 +51,11 @@ Response read_response(casefile::Table& table, const std::string& name);
 // Absolute name of the case file that `case` names, from the folder of the file that says so.
 std::filesystem::path read_case_name(casefile::Table& table);
 
-// The whole file as a document, laid on the one that it extends: tables are merged, anything else
-// is replaced. `noun` is what such a file is called ("study").
-casefile::Node document_of(const std::filesystem::path& file, const std::string& noun);
+// The whole file as a document, laid on the one that it extends, which may extend another: tables
+// are merged, anything else is replaced. `noun` is what such a file is called ("study"); `depth`
+// [1] files lie on this one.
+casefile::Node document_of(const std::filesystem::path& file, const std::string& noun,
+                           int depth = 0);
 
 // "scale=1" changes a constant of that name; what is left are settings of every case.
 std::vector<std::string> apply_to_constants(const std::vector<std::string>& sets,

@@ -64,6 +64,17 @@ TEST_CASE("A study lies on another: tables are merged, the case stays the base's
   std::set<std::string> filled;
   for (const auto& setting : study.settings) filled.insert(study::filled(setting, {}));
   CHECK(filled == std::set<std::string>{"a=1", "b=3"});
+  const auto upper = base.path().parent_path() / "upper.toml";
+  std::ofstream(upper) << "extends = \"over.toml\"\ntitle = \"V\"\n";
+  CHECK(study::read_study(upper, {}).settings.size() == 2);
+  CHECK(study::read_study(upper, {}).title == "V");
+}
+
+TEST_CASE("Studies that extend each other in a circle are refused") {
+  const StudyFile base(response + "[variables.x]\nvalues = [1]\n");
+  const auto over = base.path().parent_path() / "over.toml";
+  std::ofstream(over) << "extends = \"over.toml\"\n";
+  CHECK_THROWS_WITH(study::read_study(over, {}), Contains("in a circle"));
 }
 
 TEST_CASE("A setting that is one expression is a number, in a list too") {
