@@ -34,18 +34,24 @@ double wall_seconds(const Timings& timings) {
 }
 
 // The bed along gravity: over the floor of the decomposition tool, else over its own lowest point.
+// NaN without gravity or particles, which make a bed.
 struct BedShape {
-  double height = std::nan("");          // [m]; NaN without gravity, which alone makes a bed
+  double height = std::nan("");          // [m]
   double solid_fraction = std::nan("");  // [1]
+  double coordination = std::nan("");    // [1] contacts per particle
 };
 BedShape shape_of(const SummaryInput& in) {
+  BedShape shape;
+  if (in.state.particles.size() == 0) return shape;
+  shape.coordination = instruments::coordination_number(in.state);
   const auto up = physics::up_against(in.setup.gravity);
-  if (!up || in.state.particles.size() == 0) return {up ? 0.0 : std::nan(""), std::nan("")};
+  if (!up) return shape;
   const Particles bed = instruments::upright(in.state.particles, *up);
   const double floor = in.setup.decomposition ? in.setup.decomposition->axis_point.z()
                                               : instruments::lowest_point(bed);
-  return {instruments::bed_height(bed, Vec3(0.0, 0.0, floor)),
-          instruments::solid_fraction(bed, floor)};
+  shape.height = instruments::bed_height(bed, Vec3(0.0, 0.0, floor));
+  shape.solid_fraction = instruments::solid_fraction(bed, floor);
+  return shape;
 }
 
 Json mechanics_of(const SummaryInput& in) {
@@ -72,7 +78,7 @@ Json mechanics_of(const SummaryInput& in) {
           {"dissipated", state.fluxes.dissipated},
           {"bed_height", number(shape.height)},
           {"solid_fraction", number(shape.solid_fraction)},
-          {"coordination_number", instruments::coordination_number(state)}};
+          {"coordination_number", number(shape.coordination)}};
 }
 
 Json layer_of(const instruments::Layer& layer) {
