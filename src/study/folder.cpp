@@ -77,6 +77,10 @@ void Folder::write_cases(const Plan& plan) const {
     if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r));
 }
 
+fs::path Folder::log_of(const fs::path& run_folder) const {
+  return root_ / "logs" / (run_folder.filename().string() + ".log");
+}
+
 Job Folder::job(const std::string& name, const fs::path& folder, std::vector<std::string> fresh,
                 const std::string& program, int threads) const {
   Job job;
@@ -88,7 +92,7 @@ Job Folder::job(const std::string& name, const fs::path& folder, std::vector<std
   else
     job.command = std::move(fresh);
   job.command.insert(job.command.end(), {"--threads", std::to_string(threads)});
-  job.log = root_ / "logs" / (folder.filename().string() + ".log");
+  job.log = log_of(folder);
   return job;
 }
 
@@ -96,7 +100,17 @@ std::vector<Job> Folder::jobs(const Plan& plan, const std::string& program, int 
   std::vector<Job> jobs;
   std::map<std::size_t, std::size_t> job_of_mixing;
   for (const PlannedRun& r : plan.runs) {
-    if (!r.fault.empty() || status_of(run(r)) == "completed") continue;
+    if (!r.fault.empty()) continue;
+    if (status_of(run(r)) == "completed") {  // killed before its page stood?
+      if (!fs::exists(run(r) / "report.html"))
+        jobs.push_back({r.name,
+                        {program, "report", run(r).string()},
+                        run(r),
+                        log_of(run(r)),
+                        std::nullopt,
+                        0.0});
+      continue;
+    }
     std::vector<std::string> fresh{program, "run", case_file(r.name).string(), "-o",
                                    run(r).string()};
     std::optional<std::size_t> after;

@@ -39,7 +39,8 @@ class Folder {
   void write_cases(const Plan& plan) const;
 
   // What is not completed yet, each mixing right before the first run that waits for it; begun runs
-  // go on from their checkpoint. `program` is pmr, each job on `threads`.
+  // go on from their checkpoint, and a completed one that has no report gets it. `program` is pmr,
+  // each job on `threads`.
   std::vector<Job> jobs(const Plan& plan, const std::string& program, int threads) const;
 
   const std::filesystem::path& root() const { return root_; }
@@ -50,6 +51,7 @@ class Folder {
   std::filesystem::path case_file(const std::string& name) const {
     return root_ / "cases" / (name + ".toml");
   }
+  std::filesystem::path log_of(const std::filesystem::path& run_folder) const;
   Job job(const std::string& name, const std::filesystem::path& folder,
           std::vector<std::string> fresh, const std::string& program, int threads) const;
 

@@ -89,6 +89,7 @@ class Bench {
     for (const auto& [name, value] : said.figures)
       text += ", \"" + name + "\": " + std::to_string(value);
     std::ofstream(job.folder / "summary.json") << text << "}\n";
+    std::ofstream(job.folder / "report.html") << "<html>";
   }
 
   Simulation simulation_;

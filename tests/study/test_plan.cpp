@@ -3,6 +3,7 @@
 
 #include "case/case.hpp"
 #include "helpers.hpp"
+#include "study/folder.hpp"
 
 using namespace pmr;
 using namespace pmr::test;
@@ -103,4 +104,21 @@ TEST_CASE("A sampled design is the same on every call and stays in its box") {
     strata.insert(static_cast<int>((point[0] - 900) / 25));
   }
   CHECK(strata.size() == 8);  // each eighth of the range once
+}
+
+TEST_CASE("A completed run that was killed before its report stood gets it, and no more") {
+  const StudyFile file(response);
+  const auto root = file.path().parent_path() / "out";
+  study::Plan plan;
+  plan.runs.push_back({"a", {}, {}, "text", "", {}, 5.0});
+  const study::Folder folder(root);
+  std::filesystem::create_directories(folder.run(plan.runs[0]));
+  std::ofstream(folder.run(plan.runs[0]) / "summary.json") << R"({"status": "completed"})";
+  const auto jobs = folder.jobs(plan, "pmr", 1);
+  REQUIRE(jobs.size() == 1);
+  CHECK(jobs[0].command ==
+        std::vector<std::string>{"pmr", "report", folder.run(plan.runs[0]).string()});
+  CHECK(jobs[0].seconds == 0.0);
+  std::ofstream(folder.run(plan.runs[0]) / "report.html") << "<html>";
+  CHECK(folder.jobs(plan, "pmr", 1).empty());
 }
