@@ -10,29 +10,21 @@
 namespace pmr::chemistry {
 namespace {
 
-constexpr double lowest_pressure = 1e-3;  // [Pa] where a law is singular at zero
+constexpr double lowest_pressure = 1e-3;  // [Pa] of K2
 
-// p^m and its slope m p^(m-1).
+// p^m and its slope m p^(m-1); below a pressure that no vacuum has in proportion to p, so that no
+// slope is endless.
 struct Power {
   double value;  // [Pa^m]
   double slope;  // [Pa^(m-1)]
 };
 
 Power power(double pressure, double m) {
-  if (m == 1.0) return {pressure, 1.0};  // exact, and defined below zero too
-  if (pressure <= lowest_pressure) return {std::pow(lowest_pressure, m), 0.0};
-  const double value = std::pow(pressure, m);
-  return {value, m * value / pressure};
-}
-
-// p^n with n < 1; below a pressure that no vacuum has in proportion to p, so that no slope is
-// endless.
-Power root(double pressure, double n) {
   constexpr double lowest = 1e-9;  // [Pa]
   const double used = std::max(pressure, lowest);
-  const double by_pressure = std::pow(used, n - 1.0);
+  const double by_pressure = std::pow(used, m - 1.0);
   if (pressure < lowest) return {by_pressure * pressure, by_pressure};
-  return {by_pressure * pressure, n * by_pressure};
+  return {by_pressure * pressure, m * by_pressure};
 }
 
 // A rate constant and its slope, pores included.
@@ -71,7 +63,7 @@ double rate(const PowerRate& law, const Redox& redox, const RateState& at) {
   const RedoxEquilibrium& eq = redox.equilibrium;
   const double p_eq = equilibrium_pressure(eq, at.temperature, at.delta, bond_of(eq, at));
   const double drive =
-      root(p_eq, law.exponent).value - root(at.oxygen_pressure, law.exponent).value;
+      power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
   return constant_of(law, redox, !(drive < 0.0), at).value * drive;
 }
 
@@ -80,7 +72,7 @@ RateSlopes slopes(const PowerRate& law, const Redox& redox, const RateState& at)
   const double T = at.temperature;
   const double bond = bond_of(eq, at);
   const double p_eq = equilibrium_pressure(eq, T, at.delta, bond);
-  const Power inside = root(p_eq, law.exponent), outside = root(at.oxygen_pressure, law.exponent);
+  const Power inside = power(p_eq, law.exponent), outside = power(at.oxygen_pressure, law.exponent);
   const double drive = inside.value - outside.value;
   const Constant k = constant_of(law, redox, !(drive < 0.0), at);
   const double by_ln_p = k.value * inside.slope * p_eq;  // d r / d ln p_eq
@@ -110,7 +102,7 @@ double rate(const VacancyRate& law, const Redox& redox, const RateState& at) {
   const RedoxEquilibrium& eq = redox.equilibrium;
   const double p_eq = equilibrium_pressure(eq, at.temperature, at.delta, bond_of(eq, at));
   const double drive =
-      root(p_eq, law.exponent).value - root(at.oxygen_pressure, law.exponent).value;
+      power(p_eq, law.exponent).value - power(at.oxygen_pressure, law.exponent).value;
   return constant_of(law, at) * at.delta * drive;
 }
 
@@ -118,7 +110,7 @@ RateSlopes slopes(const VacancyRate& law, const Redox& redox, const RateState& a
   const RedoxEquilibrium& eq = redox.equilibrium;
   const double T = at.temperature, bond = bond_of(eq, at), k = constant_of(law, at);
   const double p_eq = equilibrium_pressure(eq, T, at.delta, bond);
-  const Power inside = root(p_eq, law.exponent), outside = root(at.oxygen_pressure, law.exponent);
+  const Power inside = power(p_eq, law.exponent), outside = power(at.oxygen_pressure, law.exponent);
   const double drive = inside.value - outside.value;
   const double by_ln_p = k * at.delta * inside.slope * p_eq;  // d r / d ln p_eq
   return {k * at.delta * drive, k * drive + by_ln_p * ln_pressure_delta_slope(eq, T, at.delta),

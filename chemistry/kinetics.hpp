@@ -36,8 +36,9 @@ struct RateSlopes {
 
 double rate_constant(double factor, const Arrhenius& k, double T);  // f k [mol O2/s/m3/Pa^m]
 
-// [mol O2/s/m3]; NaN where delta is outside its domain (redox.hpp). With m != 1 pressures below
-// 1e-3 Pa count as that (the power's slope is infinite at zero); so they do with K2.
+// [mol O2/s/m3]; NaN where delta is outside its domain (redox.hpp). Slopes that are infinite at no
+// pressure are cut: below 1e-9 Pa p^m is in proportion to p, and with K2 pressures below 1e-3 Pa
+// count as that.
 double oxygen_rate(const Redox& redox, const RateState& at);
 RateSlopes oxygen_rate_slopes(const Redox& redox, const RateState& at);
 

@@ -38,17 +38,20 @@ TEST_CASE("every rate law is among those that these tests try") {
   CHECK(tried == std::vector<bool>(tried.size(), true));
 }
 
-TEST_CASE("the rate vanishes at equilibrium and has the sign of the drive") {
-  for (const Redox& redox : laws()) {
-    const double p = equilibrium_pressure(redox.equilibrium, 900.0, 0.33);
-    const auto rate = [&](double pressure) {
-      return oxygen_rate(redox, {900.0, 0.33, pressure, concentration, radius});
-    };
-    const double scale = rate(0.5 * p);
-    CHECK(scale > 0.0);
-    CHECK(std::abs(rate(p)) < 1e-10 * scale);
-    CHECK(rate(2.0 * p) < 0.0);
-  }
+TEST_CASE("the rate vanishes at equilibrium and has the sign of the drive, in a vacuum too") {
+  for (const Redox& redox : laws())
+    for (const double T : {900.0, 500.0}) {
+      const double p = equilibrium_pressure(redox.equilibrium, T, 0.33);
+      if (T == 500.0) CHECK((p > 1e-8 && p < 1e-3));
+      if (p < 1e-3 && std::holds_alternative<RelaxationRate>(redox.rate)) continue;  // cut there
+      const auto rate = [&](double pressure) {
+        return oxygen_rate(redox, {T, 0.33, pressure, concentration, radius});
+      };
+      const double scale = rate(0.5 * p);
+      CHECK(scale > 0.0);
+      CHECK(std::abs(rate(p)) < 1e-10 * scale);
+      CHECK(rate(2.0 * p) < 0.0);
+    }
 }
 
 TEST_CASE("the rate's slopes are those of its differences") {
