@@ -28,7 +28,8 @@ std::string rest_sentence(const RunData& run) {
 std::string what_was_done(const RunData& run) {
   const bool is_mixing =
       std::isfinite(run.summary.number("mechanics/lost")) || std::isfinite(run.settled_time());
-  return charge(run) + (is_mixing ? " were mixed" + rest_sentence(run) : " were simulated") + ".";
+  const std::string moved = run.species.size() > 1 ? " were mixed" : " were moved";
+  return charge(run) + (is_mixing ? moved + rest_sentence(run) : " were simulated") + ".";
 }
 
 std::string broken_off(const RunData& run) {
@@ -140,8 +141,31 @@ std::string conductivity_part(const RunData& run) {
          " times what the correlation of Zehner, Bauer and Schl\u00fcnder has";
 }
 
-// What it is about: the bed's conductivity, heat and oxygen, or the mixture alone.
+// Of the instruments `[heap]` and `[catch.NAME]`: the angle, when a threshold was reached, what was
+// caught.
+std::string bulk_part(const RunData& run) {
+  std::vector<std::string> parts, caught;
+  const double angle = run.summary.number("heap/angle");
+  if (std::isfinite(angle))
+    parts.push_back("the angle of repose is " +
+                    emphasised(fixed(angle, 1) + " ± " +
+                               fixed(run.summary.number("heap/angle_scatter"), 1) + " deg"));
+  for (const Member& m : run.summary.members("catch")) {
+    const double threshold = m.value.number("threshold"), mass = m.value.number("mass");
+    const double time = m.value.number("time_to_threshold");
+    if (std::isfinite(time))
+      parts.push_back(with_unit(Quantity::mass, threshold) + " were caught by " + escape(m.key) +
+                      " after " + emphasised(with_unit(Quantity::time, time)));
+    else if (mass > 0.0)
+      caught.push_back(emphasised(with_unit(Quantity::mass, mass)) + " by " + escape(m.key));
+  }
+  if (!caught.empty()) parts.push_back("caught were " + join(caught, ", "));
+  return join_parts(std::move(parts));
+}
+
+// What it is about: a bulk test, the bed's conductivity, heat and oxygen, or the mixture alone.
 std::string outcome(const RunData& run) {
+  if (const std::string bulk = bulk_part(run); !bulk.empty()) return sentence({bulk});
   if (const std::string conductivity = conductivity_part(run); !conductivity.empty())
     return sentence({conductivity});
   if (!run.summary.has("thermal")) return sentence({mixture_part(run)});

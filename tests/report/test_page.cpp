@@ -93,6 +93,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("The answer of a bulk test is its angle, its time, its masses") {
+  RunData run = moved_alone();
+  run.summary.set("heap", parse_json(R"({"angle": 26.53, "angle_scatter": 0.57})"));
+  CHECK(
+      contains(answer_section(run).html, "The angle of repose is <strong>26.5 ± 0.6 deg</strong>"));
+  run.summary.set("heap", parse_json(R"({"angle": null})"));
+  run.summary.set("catch", parse_json(R"({"bin": {"mass": 0.0125}, "missed": {"mass": 0},
+      "out": {"mass": 0.0301, "threshold": 0.03, "time_to_threshold": 3.25}})"));
+  const std::string html = answer_section(run).html;
+  CHECK(contains(html, with_unit(Quantity::mass, 0.03) + " were caught by out after <strong>" +
+                           with_unit(Quantity::time, 3.25) + "</strong>"));
+  CHECK(contains(
+      html, "caught were <strong>" + with_unit(Quantity::mass, 0.0125) + "</strong>\n by bin."));
+}
+
 TEST_CASE("What limits trust is listed: all warnings of the summary, and the assumed inputs") {
   const std::string& html = hot_page();
   CHECK(contains(html, "with no particle lost"));
