@@ -23,14 +23,16 @@ void make_folder(const fs::path& folder) {
   if (error) refuse(folder, "cannot be made: " + error.message());
 }
 
-// A run of another case goes before the new case is there: a kill in between must not leave the one
-// with the other.
-void write_case(const fs::path& file, const std::string& text, const fs::path& run) {
+// A run of another case, and what it said, go before the new case is there: a kill in between must
+// not leave the one with the other, nor old words the reason of a failure.
+void write_case(const fs::path& file, const std::string& text, const fs::path& run,
+                const fs::path& log) {
   if (fs::exists(file) && io::read_text(file) == text) return;
   if (fs::exists(run)) {
     const io::FolderLock lock(run);
     fs::remove_all(run);
   }
+  fs::remove(log);
   io::replace_text(file, text);
 }
 
@@ -74,7 +76,7 @@ void Folder::write_cases(const Plan& plan) const {
     if (!fs::exists(case_file("mixing-" + m.name)))
       io::replace_text(case_file("mixing-" + m.name), m.case_text);
   for (const PlannedRun& r : plan.runs)
-    if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r));
+    if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r), log_of(run(r)));
 }
 
 fs::path Folder::log_of(const fs::path& run_folder) const {

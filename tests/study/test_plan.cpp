@@ -4,6 +4,7 @@
 #include "case/case.hpp"
 #include "helpers.hpp"
 #include "study/folder.hpp"
+#include "study/results.hpp"
 
 using namespace pmr;
 using namespace pmr::test;
@@ -121,4 +122,23 @@ TEST_CASE("A completed run that was killed before its report stood gets it, and 
   CHECK(jobs[0].seconds == 0.0);
   std::ofstream(folder.run(plan.runs[0]) / "report.html") << "<html>";
   CHECK(folder.jobs(plan, "pmr", 1).empty());
+}
+
+TEST_CASE("A run of another case than was asked for goes with what it said") {
+  const StudyFile file(response);
+  study::Plan plan;
+  plan.runs.push_back({"a", {}, {}, "text", "", {}, 5.0});
+  const study::Folder folder(file.path().parent_path() / "out");
+  const auto lock = folder.prepare("asked for");
+  folder.write_cases(plan);
+  std::filesystem::create_directories(folder.run(plan.runs[0]));
+  std::ofstream(folder.run(plan.runs[0]) / "summary.json") << R"({"status": "completed"})";
+  std::ofstream(folder.root() / "logs/a.log") << "report   out/a/report.html";
+  const auto row = [&] { return study::row_of({}, plan, plan.runs[0], folder); };
+  folder.write_cases(plan);
+  CHECK(row().status == "completed");
+  plan.runs[0].case_text = "another";
+  folder.write_cases(plan);
+  CHECK(row().status == "missing");  // was "failed", for what its predecessor had said
+  CHECK_FALSE(std::filesystem::exists(folder.run(plan.runs[0])));
 }
