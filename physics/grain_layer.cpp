@@ -82,11 +82,8 @@ class Squares {
 // come too close.
 class Crowd {
  public:
-  Crowd(const Face& face, double diameter, std::vector<Vec2> places)
-      : places(std::move(places)),
-        face_(face),
-        diameter_(diameter),
-        moved_(this->places.size(), true) {}
+  Crowd(const Face& face, double diameter, std::vector<Vec2> strewn)
+      : places(std::move(strewn)), face_(face), diameter_(diameter), moved_(places.size(), true) {}
 
   // Pushes those apart that overlap by more than is allowed, one after the other. Squares are a
   // half diameter wider than a push reaches, so that they hold while it goes on.

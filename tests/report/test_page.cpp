@@ -5,6 +5,7 @@
 
 #include "pmr/base/errors.hpp"
 #include "real_run.hpp"
+#include "report/page.hpp"
 #include "report/report.hpp"
 #include "report/text.hpp"
 
