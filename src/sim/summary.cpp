@@ -34,10 +34,10 @@ double wall_seconds(const Timings& timings) {
 }
 
 // The bed along gravity: over the floor of the decomposition tool, else over its own lowest point.
-// NaN without gravity or particles, which make a bed.
+// NaN without particles.
 struct BedShape {
-  double height = std::nan("");          // [m]
-  double solid_fraction = std::nan("");  // [1]
+  double height = std::nan("");          // [m]; NaN without gravity, too
+  double solid_fraction = std::nan("");  // [1]; likewise
   double coordination = std::nan("");    // [1] contacts per particle
 };
 BedShape shape_of(const SummaryInput& in) {

@@ -79,10 +79,6 @@ void Folder::write_cases(const Plan& plan) const {
     if (r.fault.empty()) write_case(case_file(r.name), r.case_text, run(r), log_of(run(r)));
 }
 
-fs::path Folder::log_of(const fs::path& run_folder) const {
-  return root_ / "logs" / (run_folder.filename().string() + ".log");
-}
-
 Job Folder::job(const std::string& name, const fs::path& folder, std::vector<std::string> fresh,
                 const std::string& program, int threads) const {
   Job job;

@@ -46,12 +46,15 @@ class Folder {
   const std::filesystem::path& root() const { return root_; }
   std::filesystem::path run(const PlannedRun& r) const { return root_ / "runs" / r.name; }
   std::filesystem::path mixing(const Mixing& m) const { return root_ / "mixings" / m.name; }
+  // Of a run or a mixing.
+  std::filesystem::path log_of(const std::filesystem::path& run_folder) const {
+    return root_ / "logs" / (run_folder.filename().string() + ".log");
+  }
 
  private:
   std::filesystem::path case_file(const std::string& name) const {
     return root_ / "cases" / (name + ".toml");
   }
-  std::filesystem::path log_of(const std::filesystem::path& run_folder) const;
   Job job(const std::string& name, const std::filesystem::path& folder,
           std::vector<std::string> fresh, const std::string& program, int threads) const;
 

@@ -52,7 +52,7 @@ Row row_without_result(std::size_t responses, const Plan& plan, const PlannedRun
   row.responses.assign(responses, std::numeric_limits<double>::quiet_NaN());
   row.reason = run.fault;
   const auto look = [&](const fs::path& run_folder) {
-    const fs::path log = folder.root() / "logs" / (run_folder.filename().string() + ".log");
+    const fs::path log = folder.log_of(run_folder);
     if (row.reason.empty() && fs::exists(log) && status_of(run_folder) != "stopped")
       row.reason = last_words(log);
   };
