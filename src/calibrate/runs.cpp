@@ -10,6 +10,7 @@
 #include "calibrate/run_table.hpp"
 #include "case/case.hpp"
 #include "case/nearest.hpp"
+#include "case/shipped.hpp"
 #include "pmr/base/hash.hpp"
 #include "pmr/base/stop.hpp"
 #include "study/results.hpp"
@@ -17,10 +18,13 @@
 namespace pmr::calibrate {
 namespace {
 
-// What decides a run's result: the case without words and output.
+// What decides a run's result: the case without words and output, and the materials built in, which
+// it need not name.
 std::string hash_of(const std::string& case_text) {
   const casefile::Node document = casefile::parse_toml(case_text, "case");
   Hash hash;
+  for (const casefile::ShippedFile& file : casefile::shipped_files())
+    hash.add(std::string_view(file.text));
   hash.add(std::string_view(
       casefile::write_toml(casefile::without(document, {"title", "description", "output"}))));
   return fmt::format("{:016x}", hash.value());
