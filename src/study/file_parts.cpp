@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 
 #include "pmr/base/text.hpp"
 
@@ -42,15 +43,27 @@ void make_cases_absolute(Node& table, const fs::path& folder) {
   }
 }
 
+// A table that changes one of the base stands where that one stands: its order is told by its
+// place.
+void keep_places(Node& over, const Node& base) {
+  over.place = base.place;
+  for (auto& [key, node] : over.members)
+    if (const Node* below = base.find(key); below && below->is_table() && node.is_table())
+      keep_places(node, *below);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, const Node*>> in_order(const Node* table) {
   std::vector<std::pair<std::string, const Node*>> all;
   if (table == nullptr) return all;
   for (const auto& [name, node] : table->members) all.emplace_back(name, &node);
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    const auto &p = a.second->place, &q = b.second->place;
-    return p.line != q.line ? p.line < q.line : p.column < q.column;
+  const auto order = [&](const Node& node) {  // those of the file that it lies on come first
+    const casefile::Place& at = node.place;
+    return std::tuple(at.file != table->place.file, at.file, at.line, at.column);
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return order(*a.second) < order(*b.second);
   });
   return all;
 }
@@ -127,6 +140,7 @@ Node document_of(const fs::path& file, const std::string& noun, int depth) {
     throw CaseError({{place, "extends", "there is no " + noun + " file " + base_file.string()}});
   Node base = document_of(base_file, noun, depth + 1);
   document.members.erase("extends");
+  keep_places(document, base);
   casefile::merge(base, document);
   return base;
 }

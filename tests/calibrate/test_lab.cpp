@@ -97,3 +97,17 @@ TEST_CASE("A parameter reaches the tests with both of its materials alone") {
   CHECK(runs.reaches("x", 0));
   CHECK_FALSE(runs.reaches("x", 1));
 }
+
+TEST_CASE("A lab file that lies on another changes a box of it, which its source then disowns") {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("pmr-lab-over-" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(file) << "extends = \"" PMR_SOURCE_DIR "/cases/calibration/devices.toml\"\n"
+                      << "[stages.lift.unknowns.lift]\nto = 30\n";
+  const calibrate::Lab lab = calibrate::read_lab(file, {});
+  std::filesystem::remove(file);
+  REQUIRE(lab.stages.size() == 5);
+  const calibrate::Parameter& lift = lab.stages[1].parameters[0];
+  CHECK(lift.box.high == 30.0);
+  CHECK(lift.box.low == 6.0);
+  CHECK_THAT(lift.source, Contains("with values of the case"));
+}
