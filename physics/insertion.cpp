@@ -69,18 +69,25 @@ bool is_tilted(const Case& c) {
   return up && std::abs(up->z()) < 1.0 - 1e-9;
 }
 
-// Places of one layer of spheres at height z [m] above the ground, at most `wanted`; z is shifted
-// by up to `lift` [m], up or down.
-std::vector<Vec3> layer(const Ground& g, double diameter, double z, double lift, std::size_t wanted,
-                        Random random) {
+// Every so many of the places: a layer that is not full lies thinner everywhere, not on one side.
+std::vector<Vec3> thinned(std::vector<Vec3> places, std::size_t wanted) {
+  if (places.size() <= wanted) return places;
+  for (std::size_t k = 0; k < wanted; ++k) places[k] = places[k * places.size() / wanted];
+  places.resize(wanted);
+  return places;
+}
+
+// Places of one full layer of spheres at height z [m] above the ground, shifted by up to `lift` [m]
+// up or down.
+std::vector<Vec3> layer(const Ground& g, double diameter, double z, double lift, Random random) {
   const double a = lattice_spacing * diameter, row = a * std::sqrt(0.75);
   const double jitter = 0.5 * (lattice_spacing - 1.0) * diameter;
   const Eigen::Rotation2Dd turn(2.0 * pi * random.uniform());
   const double u = random.uniform(), v = random.uniform();
   const int count = static_cast<int>(g.reach / row) + 2;
   std::vector<Vec3> places;
-  for (int k = -count; k <= count && places.size() < wanted; ++k)
-    for (int l = -count - 1; l <= count + 1 && places.size() < wanted; ++l) {
+  for (int k = -count; k <= count; ++k)
+    for (int l = -count - 1; l <= count + 1; ++l) {
       const double angle = 2.0 * pi * random.uniform();
       const double shift = jitter * std::sqrt(random.uniform());
       const Eigen::Vector2d node((l + u + 0.5 * (k & 1)) * a, (k + v) * row);
@@ -140,8 +147,9 @@ Filling stack(const Case& c, const Group& group, std::uint64_t key) {
     const double diameter = c.species[s].diameter;
     const double lift = is_tilted(c) ? 0.5 * (lattice_spacing - 1.0) * diameter : 0.0;
     const double z = f.height + 0.5 * diameter + lift;
-    const auto places = layer(group.ground, diameter, z, lift, turns.left(next),
-                              Random(c.seed, Purpose::insertion, key, number));
+    const auto places = thinned(
+        layer(group.ground, diameter, z, lift, Random(c.seed, Purpose::insertion, key, number)),
+        turns.left(next));
     empty = places.empty() ? empty + 1 : 0;
     if (places.empty()) continue;
     f.height += spacing * diameter;

@@ -212,6 +212,28 @@ TEST_CASE("A region that is wider than its tube is a fault that names the tube")
   CHECK_THAT(all, Catch::Contains("overlap wall 'side'"));
 }
 
+TEST_CASE("A bed of few layers lies evenly, although the last is not full") {
+  // 120 g of beads in a chute of 200 x 50 mm: 1.6 layers. Half of them within half of the chute, to
+  // half a bead; a last layer that begins at one side moves that by 2 cm.
+  Case c = bare_case();
+  c.species.resize(1);
+  c.species[0].diameter = 2.99e-3;
+  c.species[0].count = 2324;
+  c.species[0].region = BoxRegion{Vec3(0.0, -0.025, 0.0), Vec3(0.2, 0.025, 0.04)};
+  c.domain_low = Vec3::Constant(-1.0);
+  c.domain_high = Vec3::Constant(1.0);
+  for (c.seed = 1; c.seed <= 8; ++c.seed) {
+    const Particles p = physics::insert(c);
+    REQUIRE(p.size() == 2324);
+    std::vector<double> x;
+    for (const Vec3& at : p.position) x.push_back(at[0]);
+    std::sort(x.begin(), x.end());
+    CHECK(x[2324 / 4] == Approx(0.25 * 0.2).margin(0.0015));
+    CHECK(x[2324 / 2] == Approx(0.5 * 0.2).margin(0.0015));
+    CHECK(x[2324 * 3 / 4] == Approx(0.75 * 0.2).margin(0.0015));
+  }
+}
+
 TEST_CASE("A region of a thousand kilometres is refused at once") {
   Case c = bare_case();
   c.domain_low = Vec3::Constant(-2e6);
