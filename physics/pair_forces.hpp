@@ -48,7 +48,9 @@ struct Side {
 struct Records {
   alignas(64) double of_lane[Lanes::count][4];
   [[gnu::always_inline]] explicit Records(const Vector& v) {
-    Lanes fields[4] = {v.x, v.y, v.z, Lanes{0.0}};
+    Lanes none{0.0};
+    asm("" : "+v"(none.v));  // else GCC 12 with its thread sanitizer unpacks (z, z) for (z, 0)
+    Lanes fields[4] = {v.x, v.y, v.z, none};
     store_records(of_lane[0], fields);
   }
 };
