@@ -22,7 +22,7 @@ sectors = 4
 Decomposition tool() { return {Vec3::Zero(), 0.0, {0.4, 0.4}, 4, "", {}}; }
 
 std::string written(const std::string& text) {
-  const std::string file = temporary("pmr_reference.csv");
+  std::string file = temporary("pmr_reference.csv");
   std::ofstream(file) << text;
   return file;
 }

@@ -41,7 +41,8 @@ inline std::vector<Sphere> jittered_lattice(int n) {
   std::vector<Sphere> spheres;
   Random random(7, Purpose::test, 0);
   for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 place(i % n, i / n % n, i / n / n);
+    const int row = i / n, layer = row / n;
+    const Vec3 place(i % n, row % n, layer);
     const Vec3 jitter(random.uniform(), random.uniform(), random.uniform());
     spheres.push_back({2.03e-3 * place + 1e-4 * jitter, 1e-3, static_cast<std::uint32_t>(i)});
   }

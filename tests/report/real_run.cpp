@@ -22,8 +22,9 @@ const std::vector<std::string> with_tool{
     R"(species.SrFeO3.temperature="400 degC")",
     R"(species.SrFeO3.delta={equilibrium_at="700 degC", oxygen="0.21 bar"})",
     R"(walls.floor.thermal.temperature="400 degC")",
-    R"(decomposition={axis_point="0 0 0 m", ramp_azimuth="0 deg", layer_fraction=[0.5, 0.4], )"
-    R"(sectors=4, reference_source="none"})"};
+    // two lines of one text
+    (R"(decomposition={axis_point="0 0 0 m", ramp_azimuth="0 deg", layer_fraction=[0.5, 0.4], )"
+     R"(sectors=4, reference_source="none"})")};
 
 class Folder {
  public:

@@ -135,7 +135,7 @@ io::Snapshot snapshot_at(const Bed& bed, double t) {
   return snapshot;
 }
 
-Surface revolved(const char* name, Vec3 origin, std::array<double, 4> rz, double facing) {
+Surface revolved(const char* name, const Vec3& origin, std::array<double, 4> rz, double facing) {
   Surface surface;
   surface.name = name;
   surface.shape = Revolved{origin, Vec3::UnitZ(), rz[0], rz[1], rz[2], rz[3], facing};

@@ -55,7 +55,7 @@ const std::string head =
 
 // A bead and two granules on the cup's floor, none touching.
 fs::path dump_in(const Folder& folder, const std::string& atoms) {
-  const fs::path path = folder.path / "bed.dump";
+  fs::path path = folder.path / "bed.dump";
   std::ofstream(path) << head << atoms;
   return path;
 }

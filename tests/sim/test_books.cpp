@@ -54,9 +54,10 @@ Case at_rest() {
 }
 
 // One flux of the books, `part` of it left out.
-bool closes_without(const Case& c, State state, double Fluxes::*flux, double part) {
-  state.fluxes.*flux *= 1.0 - part;
-  return sim::close_books(c, state).closes();
+bool closes_without(const Case& c, const State& state, double Fluxes::*flux, double part) {
+  State changed = state;
+  changed.fluxes.*flux *= 1.0 - part;
+  return sim::close_books(c, changed).closes();
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ TEST_CASE(
   CHECK(balance.energy_relative < sim::energy_limit);
   CHECK(balance.oxygen_relative < sim::oxygen_limit);
   const Shells& shells = simulation.state().shells;
-  REQUIRE(shells.enthalpy.size() == 3 * 140);
+  REQUIRE(shells.enthalpy.size() == 3UL * 140);
   CHECK(shells.enthalpy[0] != shells.enthalpy[140]);  // the outer shell is not the next one
   {
     std::atomic<bool> stop{false};
