@@ -77,7 +77,7 @@ void decide(const Lab& lab, const Stage& stage, StageResult& result) {
   const bool has_prior = std::any_of(stage.parameters.begin(), stage.parameters.end(),
                                      [](const Parameter& p) { return p.prior.has_value(); });
   if (result.modes.size() == 1) {
-    result.decided = "there is one mode";
+    result.decided = "There is one mode";
     return;
   }
   std::string what;

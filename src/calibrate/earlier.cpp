@@ -73,7 +73,7 @@ void add_earlier(const Lab& lab, const Stage& stage, const StageRuns& wanted, co
         changes.insert(here.begin(), here.end());
         asked.push_back(wanted.changed(
             test, changes, fmt::format("earlier-{}{}", c + 1, sign > 0.0 ? "up" : "down"),
-            wanted.is_small(test), 1));
+            wanted.is_small(test), sign > 0.0 ? 1 : 2));
       }
   }
   if (asked.empty()) return;

@@ -89,6 +89,7 @@ Value json_of(const Lab& lab, const StageResult& result, const Level& level, boo
   v.set("used", is_used ? "to find" : "to decide");
   v.set("noise_of_a_run", level.fit.surrogate.basis().noise);
   v.set("q2", level.fit.validation.q2);
+  v.set("q2_beyond_noise", level.fit.validation.q2_of_mean);
   v.set("mean_standardised_square", level.fit.validation.mean_standardised_square);
   v.set("runs_failed", level.fit.lost);
   v.set("runs_censored", level.fit.censored);

@@ -317,7 +317,8 @@ report::Section trust_part(const Findings& f, report::Charts& charts) {
           f.lab.stages[result.stage].name + ", " + f.lab.target_name(level.target);
       rows.push_back({escape(name), std::to_string(level.fit.surrogate.basis().points.size()),
                       std::to_string(level.fit.lost), std::to_string(level.fit.censored),
-                      shown(level.fit.surrogate.basis().noise, 2), shown(v.q2, 3), shown(v.rmse, 2),
+                      shown(level.fit.surrogate.basis().noise, 2), shown(v.q2, 3),
+                      shown(v.q2_of_mean, 3), shown(v.rmse, 2),
                       shown(v.mean_standardised_square, 2),
                       escape(level.fit.refusal.empty() ? "holds" : level.fit.refusal)});
       Value::Array points;
@@ -349,18 +350,19 @@ report::Section trust_part(const Findings& f, report::Charts& charts) {
     }
   const std::string how =
       "Each point is left out once and foretold from the others. A surrogate is refused where Q² "
-      "is below 0.8, or where its error² / deviation² is above 2.5 and its errors exceed half of "
+      "beyond the seeds' noise is below 0.8, or where its error² / deviation² is above 2.5 and its "
+      "errors exceed half of "
       "the measured deviation; a ratio well below 1 makes results wider than they need be. Of a "
       "response looked at by its logarithm, noise and error are relative.";
-  return {
-      "trust", "Cross-validation of the surrogates",
-      element("p", how, "class=\"caption\"") +
-          element("div",
-                  report::table({"response", "points", "runs failed", "censored", "seeds differ by",
-                                 "Q²", "error left out", "error² / deviation²", "verdict"},
-                                rows, "class=\"numbers compare trust\""),
-                  "class=\"scroll\"") +
-          element("div", html, "class=\"charts\"")};
+  return {"trust", "Cross-validation of the surrogates",
+          element("p", how, "class=\"caption\"") +
+              element("div",
+                      report::table(
+                          {"response", "points", "runs failed", "censored", "seeds differ by", "Q²",
+                           "beyond noise", "error left out", "error² / deviation²", "verdict"},
+                          rows, "class=\"numbers compare trust\""),
+                      "class=\"scroll\"") +
+              element("div", html, "class=\"charts\"")};
 }
 
 }  // namespace pmr::calibrate

@@ -26,14 +26,16 @@ double mean_above(double limit, const statistics::Prediction& p) {
   return p.mean + p.deviation * std::exp(-0.5 * a * a) / std::sqrt(2.0 * pi) / tail;
 }
 
-// Why a surrogate must not be used. Bands that are too narrow matter only where the errors are no
+// Why a surrogate must not be used. It is of the mean response, so noise in the points that it is
+// held against is not its fault. Bands that are too narrow matter only where the errors are no
 // longer small beside the measured deviation. Bands that are too wide, as those of any smooth
 // function without noise (0.05 for x y), make a result wider than it need be, not wrong.
 std::string refusal_of(const Target& target, const Surrogate& surrogate,
                        const statistics::Validation& v) {
   if (!surrogate.basis().why_constant.empty()) return surrogate.basis().why_constant;
-  if (!(v.q2 >= least_q2))
-    return fmt::format("left-out runs are foretold with Q2 = {:.2f}, wanted {}", v.q2, least_q2);
+  if (!(v.q2_of_mean >= least_q2))
+    return fmt::format("left-out points are foretold with Q2 = {:.2f} beyond noise, wanted {}",
+                       v.q2_of_mean, least_q2);
   const double harm = harmless * measured(target).deviation;
   if (v.mean_standardised_square > most_square && v.rmse > harm)
     return fmt::format("its bands are too narrow: error2 / deviation2 = {:.1f}, wanted at most {}",

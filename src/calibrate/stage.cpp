@@ -204,8 +204,8 @@ class Search {
       std::vector<double> at =
           grid.point(statistics::most_telling(posterior, fields, problem.measured));
       for (double& x : at) x = rounded(x);
-      if (seeds_at(at) > 0 && !has_noise()) break;
-      points.push_back({at, seeds_at(at) + 1, 1});
+      if (is_run(at) && !has_noise()) break;
+      points.push_back({at, result_.samples.front().size() + 1, 1});
       if (points.size() == stage_.sampling.batch) break;
       for (std::size_t l = 0; l < result_.levels.size(); ++l) {
         const double expected = result_.levels[l].fit.surrogate.predict(at).mean;
@@ -222,10 +222,10 @@ class Search {
                        [](const Level& l) { return l.fit.surrogate.basis().noise > 0.0; });
   }
 
-  std::size_t seeds_at(const std::vector<double>& at) const {
-    return static_cast<std::size_t>(std::count_if(result_.samples.front().begin(),
-                                                  result_.samples.front().end(),
-                                                  [&](const Sample& s) { return s.point == at; }));
+  bool is_run(const std::vector<double>& at) const {
+    const auto& samples = result_.samples.front();
+    return std::any_of(samples.begin(), samples.end(),
+                       [&](const Sample& s) { return s.point == at; });
   }
 
   bool refuse() {

@@ -33,9 +33,11 @@ StageRuns::StageRuns(const Lab& lab, std::size_t stage, study::Values values, bo
 std::vector<DesignPoint> StageRuns::first_points() const {
   const Sampling& s = stage_.sampling;
   std::vector<DesignPoint> points;
+  std::size_t seed = 1;
   for (const auto& point : statistics::sample(statistics::Sequence::latin_hypercube,
                                               spans_of(stage_), s.points, s.seed)) {
-    DesignPoint one{{}, 1, points.size() < s.replicated ? s.replicates : 1};
+    DesignPoint one{{}, seed, points.size() < s.replicated ? s.replicates : 1};
+    seed += one.seeds;
     for (const double x : point) one.at.push_back(rounded(x));
     points.push_back(std::move(one));
   }
@@ -64,7 +66,7 @@ std::vector<Wanted> StageRuns::wanted(const std::vector<DesignPoint>& points,
       for (std::size_t seed = 0; seed < points[k].seeds; ++seed)
         all.push_back(changed(test, changes, label, is_small(test), points[k].first_seed + seed));
       if (are_first && is_small(test) && k < lab_.tests[test].pairs)
-        all.push_back(changed(test, changes, label, false, 1));
+        all.push_back(changed(test, changes, label, false, points[k].first_seed));
     }
   }
   return all;

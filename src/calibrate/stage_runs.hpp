@@ -7,7 +7,9 @@
 
 namespace pmr::calibrate {
 
-// A point of a stage's design, and the seeds it is run with.
+// A point of a stage's design, and the seeds it is run with: no two points of a stage share one,
+// for what a seed does (a glued grain in the way) is much the same at all points and would not
+// average.
 struct DesignPoint {
   std::vector<double> at;
   std::size_t first_seed, seeds;

@@ -55,7 +55,7 @@ std::string why_constant(std::size_t points, std::size_t dimension, const Band& 
   return {};
 }
 
-Validation scored(Validation leave_one_out, double spread) {
+Validation scored(Validation leave_one_out, double spread, double noise) {
   Validation& v = leave_one_out;
   const auto n = static_cast<double>(v.observed.size());
   double squares = 0.0, standardised = 0.0;
@@ -64,7 +64,9 @@ Validation scored(Validation leave_one_out, double spread) {
     squares += miss * miss;
     standardised += miss * miss / (v.deviation[i] * v.deviation[i]);
   }
-  v.q2 = 1.0 - squares / ((n - 1.0) * spread * spread);
+  const double total = (n - 1.0) * spread * spread;
+  v.q2 = 1.0 - squares / total;
+  v.q2_of_mean = total > noise ? 1.0 - std::max(0.0, squares - noise) / (total - noise) : nan;
   v.rmse = std::sqrt(squares / n);
   v.mean_standardised_square = standardised / n;
   return v;
@@ -107,6 +109,7 @@ Surrogate::Surrogate(std::vector<Span> spans, const Points& points,
     standardised.push_back((values_[i] - centre_) / spread_);
     const auto runs = static_cast<double>(groups[i].responses.size());
     noise.push_back(variance / (runs * spread_ * spread_));
+    noise_left_ += variance / runs;
   }
   const Matern covariance = likeliest(places, standardised, noise);
   basis_.scale = covariance.scale;
@@ -131,13 +134,13 @@ Prediction Surrogate::predict(std::span<const double> point) const {
 }
 
 Validation Surrogate::validate() const {
-  Validation result{nan, nan, nan, values_, {}, {}};
+  Validation result{nan, nan, nan, nan, values_, {}, {}};
   if (kriging_) {
     for (const Prediction& other : kriging_->left_out()) {
       result.predicted.push_back(centre_ + spread_ * other.mean);
       result.deviation.push_back(spread_ * other.deviation);
     }
-    return scored(std::move(result), spread_);
+    return scored(std::move(result), spread_, noise_left_);
   }
   // A constant: the mean of the others, and no claim.
   const auto n = static_cast<double>(values_.size());

@@ -14,8 +14,11 @@ namespace pmr::statistics {
 // How well each design point is foretold from all the others, with the covariance of all (the trend
 // is estimated anew): values of points with replicates are their means.
 struct Validation {
-  double q2;    // 1 - sum (y - y_loo)^2 / sum (y - mean)^2 [1]; 1 is perfect, NaN for a constant
-  double rmse;  // root mean square of y - y_loo [unit of the response]
+  double q2;  // 1 - sum (y - y_loo)^2 / sum (y - mean)^2 [1]; 1 is perfect, NaN for a constant
+  // The same of the mean response: both sums less the variances that the runs' noise leaves in the
+  // points' values. NaN where noise is all there is.
+  double q2_of_mean;
+  double rmse;                      // root mean square of y - y_loo [unit of the response]
   double mean_standardised_square;  // mean ((y - y_loo) / deviation)^2 [1]; near 1 for honest bands
   std::vector<double> observed, predicted, deviation;  // at each point [unit of the response]
 };
@@ -56,6 +59,7 @@ class Surrogate {
   std::vector<Span> spans_;
   Basis basis_;
   std::vector<double> values_;      // at the distinct points [unit of the response]
+  double noise_left_ = 0.0;         // sum of the values' variances by noise [response^2]
   double centre_, spread_;          // mean and standard deviation of values_
   std::optional<Kriging> kriging_;  // of (values - centre) / spread
 };

@@ -1,6 +1,8 @@
 // Whole calibrations, with closed forms in place of simulations: x + y and x y of two coefficients.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "bench.hpp"
 #include "calibrate/outputs.hpp"
@@ -90,6 +92,18 @@ TEST_CASE("Levels that do not cross give the closest point, its misses and what 
                       Contains("would reconcile"));
 }
 
+TEST_CASE("A prior does not move the closest point, which is of the levels alone") {
+  Bench bench(plain + levels(0.5, 0.07, 0.001, 0.001) +
+                  "[stages.s]\nuse = [\"t.sum\", \"t.product\"]\n" +
+                  unknown("s", "x", wall + "friction", "prior = {mean = 0.4, sd = 0.002}\n") +
+                  unknown("s", "y", wall + "rolling_friction"),
+              closed_forms);
+  const auto c = bench.solved();
+  CHECK(c.stages.at(0).is_closest);
+  CHECK(c.stages[0].best().mode.best[0] > 0.3);
+  CHECK(c.found.values.at(0) == Approx(0.2509).margin(0.005));
+}
+
 TEST_CASE("A level beyond all runs is said to be out of reach") {
   Bench bench(plain + levels(2.5, 0.04, 0.01, 0.01) +
                   "[stages.s]\nuse = [\"t.sum\", \"t.product\"]\n" + two_unknowns("s"),
@@ -160,7 +174,9 @@ TEST_CASE(
   const std::string lab = "predictions = 0\n" + levels(0.5, 0.04, 0.01, 0.002) +
                           "[stages.s]\nuse = [\"t.sum\", \"t.product\"]\ndecide = [\"t.first\"]\n" +
                           two_unknowns("s");
-  Bench bench(lab, [](const Case& c) {
+  std::map<std::uint64_t, std::set<double>> points_of_seed;
+  Bench bench(lab, [&](const Case& c) {
+    points_of_seed[c.seed].insert(on_wall(c, "SrFeO3").friction);
     Said said = closed_forms(c);
     Random random(c.seed, Purpose::test,
                   static_cast<std::uint64_t>(1e6 * on_wall(c, "SrFeO3").friction));
@@ -177,6 +193,8 @@ TEST_CASE(
   CHECK(std::abs(x - 0.4) < 2.5 * std::sqrt(c.found.covariance[0][0]));
   CHECK(std::abs(y - 0.1) < 2.5 * std::sqrt(c.found.covariance[1][1]));
   CHECK(std::sqrt(c.found.covariance[0][0]) < 0.04);
+  // What a seed does at one point it does at others, and would not average out.
+  for (const auto& [seed, points] : points_of_seed) CHECK(points.size() == 1);
 }
 
 TEST_CASE("A small sample is corrected by pairs of full ones, with their scatter as an error") {
@@ -232,6 +250,32 @@ TEST_CASE("Errors of an earlier stage widen those of the next, by the slope of i
   CHECK(c.found.values.at(1) == Approx(0.1).margin(0.001));
   CHECK(bench.solved({false, "one"}).stages.size() == 1);
   CHECK_THROWS_WITH(bench.solved({false, "on"}), Contains("did you mean 'one'"));
+}
+
+TEST_CASE(
+    "What correlated parameters leave of a later level and of a formula takes both together") {
+  // x + y and x y at (0.4, 0.1) have the inverse Jacobian ((0.4, -1), (-0.1, 1)) / 0.3. So with the
+  // levels' deviations 0.01 and 0.001: var x 1.889e-4, var y 2.22e-5, cov -5.56e-5, and x + 2 y has
+  // 5.56e-5: deviation 0.00745, where independent errors would give 0.0167.
+  const double both = std::sqrt((0.04 * 1e-4 + 1e-6) / 0.09);
+  Bench bench(
+      plain + "[derived.d]\nformula = \"x + 2 * y\"\n" + levels(0.5, 0.04, 0.01, 0.001) +
+          test_table("u") + response("u", "third", 1.1, 0.001) +
+          "[stages.one]\nuse = [\"t.sum\", \"t.product\"]\ndecide = [\"t.first\"]\n" +
+          two_unknowns("one") + "[stages.two]\nuse = [\"u.third\"]\n" +
+          unknown("two", "z", wall + "restitution"),
+      [](const Case& c) {
+        const PairContact p = on_wall(c, "SrFeO3");
+        Said said = closed_forms(c);
+        said.figures.push_back({"third", p.friction + 2.0 * p.rolling_friction + p.restitution});
+        return said;
+      });
+  const auto c = bench.solved();
+  REQUIRE(c.stages.size() == 2);
+  CHECK(c.stages[1].levels[0].earlier == Approx(both).epsilon(0.1));
+  CHECK(c.found.values.at(2) == Approx(0.5).margin(0.005));
+  CHECK(c.derived.at(0).value == Approx(0.6).margin(0.005));
+  CHECK(c.derived.at(0).deviation == Approx(both).epsilon(0.1));
 }
 
 TEST_CASE("A noise that no surrogate can foretell is refused, and nothing follows it") {

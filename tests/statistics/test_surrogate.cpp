@@ -98,6 +98,26 @@ TEST_CASE("Replicates are averaged and their scatter becomes the noise") {
     CHECK(there.deviation < 0.5 / std::sqrt(6.0));
     CHECK(std::abs(there.mean - 2.0 * std::sin(0.3 * place)) < 3.0 * there.deviation);
   }
+  // Each of the eleven means has a sixth of a run's variance, which no surrogate of the mean
+  // response can foretell.
+  const Validation v = surrogate.validate();
+  const double left = 11.0 * std::pow(surrogate.basis().noise, 2) / 6.0;
+  const double squares = 11.0 * v.rmse * v.rmse, total = squares / (1.0 - v.q2);
+  CHECK(v.q2_of_mean == Approx(1.0 - std::max(0.0, squares - left) / (total - left)).epsilon(1e-9));
+  CHECK(v.q2_of_mean > v.q2);
+}
+
+TEST_CASE("Of noise alone nothing is foretold, whatever is allowed for it") {
+  Random random(6, Purpose::test, 0);
+  const std::vector<Span> box = {{0.0, 1.0}};
+  Points runs;
+  std::vector<double> y;
+  for (int place = 0; place <= 12; ++place)
+    for (int replicate = 0; replicate < 2; ++replicate) {
+      runs.push_back({place / 12.0});
+      y.push_back(noise(random));
+    }
+  CHECK_FALSE(Surrogate(box, runs, y).validate().q2_of_mean > 0.5);
 }
 
 TEST_CASE("Too few or equal runs give a constant and say why") {
