@@ -73,17 +73,21 @@ study::Values truth_of(const Lab& lab, const std::filesystem::path& file) {
   return completed(lab, std::move(values));
 }
 
-void set_result(Node& document, const Lab& lab, TargetIndex at, const statistics::Band& band,
-                const std::string& source) {
-  const auto n = static_cast<double>(band.count);
-  Node& responses =
-      document.members.at("tests").members.at(lab.tests[at.test].name).members.at("responses");
-  Node& response = responses.members.at(lab.target(at).response.name);
-  const Node made = casefile::parse_toml(
-      fmt::format("result = {{value = {}, standard_error = {}, runs = {}, source = \"{}\"}}",
-                  band.mean, band.deviation / std::sqrt(n), band.count, source),
-      "synthetic");
-  response.members["result"] = made.members.at("result");
+std::string quoted(const std::string& text) {
+  Node node;
+  node.kind = Node::Kind::string;
+  node.text = text;
+  return casefile::write_value(node);
+}
+
+std::string result_of(const Lab& lab, TargetIndex at, const statistics::Band& band,
+                      const std::string& source) {
+  const double error = band.deviation / std::sqrt(static_cast<double>(band.count));
+  return fmt::format(
+      "\n[tests.{}.responses.{}]\nresult = {{value = {:.6g}, standard_error = {:.4g}, runs = {}, "
+      "source = {}}}\n",
+      lab.tests[at.test].name, lab.target(at).response.name, band.mean, error, band.count,
+      quoted(source));
 }
 
 }  // namespace
@@ -97,7 +101,11 @@ std::string synthetic_lab(const Lab& lab, const std::filesystem::path& truth, bo
       wanted.push_back({t, !is_full && !lab.tests[t].small.empty(), values, "synthetic",
                         first_synthetic_seed + k});
   const auto outcomes = runs.get(wanted);
-  Node document = casefile::parse_toml(lab.text, lab.file.string());
+  std::string text = fmt::format("extends = {}\ntitle = {}\n",
+                                 quoted(std::filesystem::absolute(lab.file).string()),
+                                 quoted(lab.title + ", from results made by the program"));
+  if (!lab.constants.empty()) text += "\n[constants]\n";
+  for (const auto& [name, value] : lab.constants) text += fmt::format("{} = {}\n", name, value);
   for (std::size_t t = 0; t < lab.tests.size(); ++t)
     for (std::size_t r = 0; r < lab.tests[t].targets.size(); ++r) {
       std::vector<double> results;
@@ -108,10 +116,10 @@ std::string synthetic_lab(const Lab& lab, const std::filesystem::path& truth, bo
         throw NumericsError(lab.target_name({t, r}) +
                             ": fewer than two runs at the parameters given have a result; see "
                             "runs.csv");
-      set_result(document, lab, {t, r}, band,
-                 "made by pmr at the parameters of " + truth.filename().string());
+      text += result_of(lab, {t, r}, band,
+                        "made by pmr at the parameters of " + truth.filename().string());
     }
-  return casefile::write_toml(document);
+  return text;
 }
 
 }  // namespace pmr::calibrate

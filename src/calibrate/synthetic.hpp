@@ -10,8 +10,8 @@ namespace pmr::calibrate {
 inline constexpr std::size_t synthetic_seeds = 5;         // [1] experiments of each test
 inline constexpr std::size_t first_synthetic_seed = 101;  // none that a calibration uses
 
-// The lab's file with what the tests give at the parameters of `truth` in place of the results:
-// means of five seeds and their standard errors. `truth` is a TOML file with the parameters under
+// A lab file that lies on the lab's own and gives other results: what the tests give at the
+// parameters of `truth`, means of five seeds and their standard errors. `truth` is a TOML file with the parameters under
 // their keys (contacts.toml of a calibration, or of the shipped materials) or by their names; what
 // a formula derives follows from them unless it stands there too. CaseError where a parameter is
 // not there; NumericsError where fewer than two runs of a test give a result; Stopped.

@@ -49,9 +49,9 @@ class Bench {
   void rewrite(const std::string& lab_text) {
     rewrite_whole("title = \"T\"\nteaches = \"tests\"\n" + lab_text);
   }
-  void rewrite_whole(const std::string& text) {
-    std::ofstream(root / "lab.toml") << text;
-    lab = calibrate::read_lab(root / "lab.toml", {});
+  void rewrite_whole(const std::string& text, const std::string& name = "lab.toml") {
+    std::ofstream(root / name) << text;
+    lab = calibrate::read_lab(root / name, {});
   }
 
   // Carries out `jobs` at most before it is killed.
