@@ -14,9 +14,8 @@ namespace {
 // The small case, whose domain is 2 m wide, with one wall more; its faults.
 std::string with_wall(const std::string& wall) {
   std::string all;
-  for (const std::string& fault :
-       faults_of(small_case + "[walls.other]\nmaterial = \"coated-wall\"\n" + wall))
-    all += fault;
+  const std::string text = small_case + "[walls.other]\nmaterial = \"coated-wall\"\n" + wall;
+  for (const std::string& fault : faults_of(text)) all += fault;
   return all;
 }
 

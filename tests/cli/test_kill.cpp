@@ -24,7 +24,7 @@ const std::string& hash_of_whole_run() {
 
 // One grain in a lined box: its rays alone take minutes.
 fs::path write_many_rays(const fs::path& folder) {
-  const fs::path file = folder / "rays.toml";
+  fs::path file = folder / "rays.toml";
   std::ofstream(file) << R"(
 title = "Many rays"
 gravity = "none"

@@ -10,7 +10,7 @@ using Catch::Contains;
 
 // The tiny reactor over two temperatures and two seeds.
 fs::path write_study(const fs::path& folder, const std::string& more = "") {
-  const fs::path file = folder / "study.toml";
+  fs::path file = folder / "study.toml";
   std::ofstream(file) << "title = \"Tiny study\"\nteaches = \"for tests\"\nreplicates = 2\n"
                       << "case = \"" << (source_dir / "tests/sim/tiny.toml").string() << "\"\n"
                       << more << R"(

@@ -105,27 +105,31 @@ MatrixXd matrix_of(std::size_t size, const Call& call) {
 MatrixXd temperature_slopes(const Scene& s) {
   const System& system = s.system;
   const std::size_t nodes = system.nodes->count(), layers = system.pores.layers.size();
-  MatrixXd slopes = MatrixXd::Zero(nodes + layers, system.size());
+  MatrixXd slopes =
+      MatrixXd::Zero(static_cast<Index>(nodes + layers), static_cast<Index>(system.size()));
+  const auto slope = [&](std::size_t row, std::size_t column) -> double& {
+    return slopes(static_cast<Index>(row), static_cast<Index>(column));
+  };
   for (std::size_t id = 0; id < system.nodes->solids(); ++id) {
     const double T = s.at.temperature[id];
     const double C = chemistry::heat_capacity(system.solid[id], T, delta_of(system, s.y, id));
-    slopes(id, id) = 1.0 / C;
+    slope(id, id) = 1.0 / C;
     const std::uint32_t k = system.reactant_of[id];
     if (k == System::no_reactant) continue;
-    slopes(id, system.delta_begin() + k) =
+    slope(id, system.delta_begin() + k) =
         -chemistry::enthalpy_bond_slope(system.solid[id], T, s.at.bond[k]) / C;
   }
   for (const WallProfile& wall : system.profiles)
-    slopes(wall.node, system.cell_begin() + wall.first_cell) =
+    slope(wall.node, system.cell_begin() + wall.first_cell) =
         1.0 / (system.nodes->columns[wall.surface].capacity[0] * wall.area);
   for (std::size_t zone = 0; zone < system.zones(); ++zone) {
     const std::size_t first = system.gas_begin() + 3 * zone;
     const std::size_t row = zone < layers ? nodes + zone : system.nodes->gas();
     const double T = s.at.gas.zone_temperature[zone];
     const double C = chemistry::heat_capacity_constant_volume({s.y[first], s.y[first + 1]}, T);
-    slopes(row, first) = -chemistry::internal_energy({1.0, 0.0}, T) / C;
-    slopes(row, first + 1) = -chemistry::internal_energy({0.0, 1.0}, T) / C;
-    slopes(row, first + 2) = 1.0 / C;
+    slope(row, first) = -chemistry::internal_energy({1.0, 0.0}, T) / C;
+    slope(row, first + 1) = -chemistry::internal_energy({0.0, 1.0}, T) / C;
+    slope(row, first + 2) = 1.0 / C;
   }
   return slopes;
 }
@@ -193,7 +197,7 @@ Matrices matrices_of(const Scene& s) {
   const std::size_t size = s.system.size();
   Matrices m;
   m.inverse = matrix_of(size, [&](const auto& r, auto& z) { P.solve(J, r, z); });
-  m.exact = MatrixXd::Identity(size, size) -
+  m.exact = MatrixXd::Identity(static_cast<Index>(size), static_cast<Index>(size)) -
             gamma_ * matrix_of(size, [&](const auto& v, auto& jv) { product(J, v, jv); });
   const MatrixXd dT = temperature_slopes(s);
   const Films film = films(s, dT);
