@@ -14,14 +14,8 @@
 namespace pmr::calibrate {
 namespace {
 
+using casefile::quoted;
 using report::Value;
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text)
-    out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  return out + "\"";
-}
 
 double deviation(const Found& found, std::size_t k) { return std::sqrt(found.covariance[k][k]); }
 

@@ -12,6 +12,7 @@ namespace pmr::calibrate {
 namespace {
 
 using casefile::Node;
+using casefile::quoted;
 
 // "contacts.\"A|B\".friction" in words.
 std::vector<std::string> words_of(const std::string& key) {
@@ -71,13 +72,6 @@ study::Values truth_of(const Lab& lab, const std::filesystem::path& file) {
     }
   if (!faults.empty()) throw CaseError(std::move(faults));
   return completed(lab, std::move(values));
-}
-
-std::string quoted(const std::string& text) {
-  Node node;
-  node.kind = Node::Kind::string;
-  node.text = text;
-  return casefile::write_value(node);
 }
 
 std::string result_of(const Lab& lab, TargetIndex at, const statistics::Band& band,

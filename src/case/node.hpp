@@ -47,6 +47,9 @@ Node parse_toml(const std::string& text, const std::string& file);
 // Writes a table as TOML that parses back to the same values.
 std::string write_toml(const Node& table);
 
+// The text as TOML writes one.
+std::string quoted(const std::string& text);
+
 // The value as TOML on one line.
 std::string write_value(const Node& node);
 

@@ -51,8 +51,9 @@ std::vector<double> areas_of(const Case& c, const Nodes& nodes, const State& sta
 std::vector<char> reservoirs(const Case& c, const Nodes& nodes) {
   std::vector<char> reservoir(nodes.radiating(), 0);
   for (std::size_t k = 0; k < nodes.patches.size(); ++k)
-    reservoir[nodes.patch(k)] = std::holds_alternative<FixedTemperature>(
-        c.walls.surfaces[nodes.patches[k].surface].thermal);
+    if (std::holds_alternative<FixedTemperature>(
+            c.walls.surfaces[nodes.patches[k].surface].thermal))
+      reservoir[nodes.patch(k)] = 1;
   return reservoir;
 }
 

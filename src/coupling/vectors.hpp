@@ -4,8 +4,10 @@
 #include <vector>
 
 // SUNDIALS' own names of N_Vector and SUNContext, whose headers stay out of ours.
+// NOLINTBEGIN(bugprone-reserved-identifier)
 struct _generic_N_Vector;
 struct _SUNContext;
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace pmr::coupling {
 

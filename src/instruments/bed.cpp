@@ -73,7 +73,8 @@ bool fills(const Particles& bed, const physics::Footprint& hull, const Slab& sla
   const Vec3 low(box.min().x(), box.min().y(), slab.low);
   const Vec3 step(extent.x() / count[0], extent.y() / count[1], (slab.high - slab.low) / count[2]);
   const auto place = [&](int x, int y, int z) {
-    return static_cast<std::size_t>((z * count[1] + y) * count[0] + x);
+    const Eigen::Index row = Eigen::Index{z} * count[1] + y;
+    return static_cast<std::size_t>(row * count[0] + x);
   };
   std::vector<char> is_met(place(0, 0, count[2]), 0);
   for (const Vec3& x : bed.position) {

@@ -22,7 +22,7 @@ constexpr std::size_t layers_of_contacts = 10;  // [1] enough to see a trend ove
 // A table that grows by rows.
 class TableWriter {
  public:
-  explicit TableWriter(std::vector<std::pair<const char*, const char*>> heads) {
+  explicit TableWriter(const std::vector<std::pair<const char*, const char*>>& heads) {
     for (const auto& [name, unit] : heads) table_.columns.push_back({name, unit, {}});
   }
   void add_row(const std::vector<double>& row) {

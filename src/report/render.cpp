@@ -81,7 +81,7 @@ void burn_bar(Image& image, const Scale& scale) {
                   colour_at(scale.map, static_cast<double>(x) / static_cast<double>(width)));
   write(image, left, top + bar_height + 6, plain(scale.shown.low, scale.decimals));
   const std::string high = plain(scale.shown.high, scale.decimals) + " " + scale.unit;
-  write(image, left + width - 12 * 4, top + bar_height + 6, high);
+  write(image, left + width - 12UL * 4, top + bar_height + 6, high);
 }
 
 Image temperature_picture(const io::Snapshot& snapshot, const RunData& run, const View& view) {

@@ -18,8 +18,7 @@ std::string title_of(const RunData& run) {
 }
 
 std::string description_of(const RunData& run) {
-  const std::string text =
-      run.setup ? run.setup->description : run.summary.text("case/description");
+  std::string text = run.setup ? run.setup->description : run.summary.text("case/description");
   if (!text.empty()) return text;
   return title_of(run) == run.name ? "" : run.name;
 }

@@ -9,9 +9,9 @@ namespace {
 
 // From the summary, else from the run file's header.
 std::string known(const RunData& run, const std::string& key) {
-  const std::string direct = run.summary.text(key);
+  std::string direct = run.summary.text(key);
   if (!direct.empty()) return direct;
-  const std::string provenance = run.summary.text("provenance/" + key);
+  std::string provenance = run.summary.text("provenance/" + key);
   if (!provenance.empty()) return provenance;
   const auto found = run.header.provenance.find(key);
   return found == run.header.provenance.end() ? "" : found->second;

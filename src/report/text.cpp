@@ -35,10 +35,10 @@ Shown prefixed(double exact, int digits, const char* unit) {
   const double value = rounded(exact, digits);
   if (value == 0.0) return {"0", unit};
   const double power = std::floor(std::log10(std::abs(value)) / 3.0 + 1e-9);
-  const int step = static_cast<int>(std::clamp(power, -4.0, 4.0));
+  const double step = std::clamp(power, -4.0, 4.0);
   const double scaled = value / std::pow(10.0, 3.0 * step);
   return {significant(scaled, digits),
-          prefixes[static_cast<std::size_t>(step + 4)] + std::string(unit)};
+          prefixes[static_cast<std::size_t>(step + 4.0)] + std::string(unit)};
 }
 
 // "3.1·10⁻⁹"

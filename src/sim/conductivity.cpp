@@ -69,10 +69,11 @@ double solid_fraction(const Particles& p, const Core& core) {
   const int levels = std::max(1, static_cast<int>((core.high - core.low) / step));
   double points = 0.0, solid = 0.0;
   for (int k = 0; k < steps * steps * levels; ++k) {
+    const int row = k / steps % steps, level = k / (steps * steps);
     const Eigen::Vector2d across(step * (k % steps + 0.5) - core.radius,
-                                 step * (k / steps % steps + 0.5) - core.radius);
+                                 step * (row + 0.5) - core.radius);
     if (across.norm() > core.radius) continue;
-    const double z = core.low + (core.high - core.low) * (k / (steps * steps) + 0.5) / levels;
+    const double z = core.low + (core.high - core.low) * (level + 0.5) / levels;
     const Vec3 point(core.axis.x() + across.x(), core.axis.y() + across.y(), z);
     points += 1.0;
     solid += cells.covering(point) == radiation::none ? 0.0 : 1.0;

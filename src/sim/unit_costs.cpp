@@ -66,9 +66,10 @@ State lattice_of(const Case& c, double count) {
     p.radius[i] = radius;
     p.mass[i] = 4.0 / 3.0 * pi * radius * radius * radius * c.materials.list[s.material].density;
     p.temperature[i] = s.initial_temperature;
+    const std::size_t row = i / side, layer = row / side;
     p.position[i] = 1.995 * radius *
-                    Vec3(static_cast<double>(i % side), static_cast<double>(i / side % side),
-                         static_cast<double>(i / side / side));
+                    Vec3(static_cast<double>(i % side), static_cast<double>(row % side),
+                         static_cast<double>(layer));
   }
   return state;
 }

@@ -103,7 +103,7 @@ fs::path read_case_name(Table& table) {
   const std::string base = table.word("case", "the name of the base case's file");
   if (base.empty()) return {};
   const fs::path folder = fs::absolute(table.look("case")->place.file).parent_path();
-  const fs::path file = folder / base;
+  fs::path file = folder / base;
   if (!fs::is_regular_file(file)) table.fault("case", "there is no case file " + file.string());
   return file;
 }

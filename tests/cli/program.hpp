@@ -41,7 +41,6 @@ class Beside {
   Beside(std::vector<std::string> words, const std::filesystem::path& said) {
     words.insert(words.begin(), PMR_PROGRAM);
     std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t into;

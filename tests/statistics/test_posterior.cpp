@@ -115,7 +115,6 @@ TEST_CASE("The 68 % region of two hundred noisy labs holds the truth in 61 to 75
   const std::size_t at = 80 * steps + 100;
   const std::array<Function, 2> functions{sum_of, product_of};
   std::vector<Field> fields;
-  fields.reserve(functions.size());
   for (const Function f : functions) fields.push_back(field_of(grid, of_runs(f, 20)));
   Random random(5, Purpose::test, 1);
   int held = 0;
