@@ -120,7 +120,7 @@ class Reader {
   }
 
   std::string open() {
-    const std::string where = place();
+    std::string where = place();
     written_ += text_[at_++];
     return where;
   }
