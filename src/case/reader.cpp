@@ -219,7 +219,8 @@ std::vector<double> Table::values(const std::string& key, Want want) {
   return node == nullptr ? std::vector<double>{} : read(key, *node, want);
 }
 
-std::vector<double> Table::values(const std::string& key, Want want, std::vector<double> fallback) {
+std::vector<double> Table::values(const std::string& key, Want want,
+                                  const std::vector<double>& fallback) {
   const Node* node = look(key);
   return node == nullptr ? fallback : read(key, *node, want);
 }
@@ -289,7 +290,7 @@ std::string Table::file(const std::string& key, const std::string& wanted) {
 }
 
 std::string Table::file_if_any(const std::string& key) {
-  const std::string name = word_or(key, "");
+  std::string name = word_or(key, "");
   if (name.empty()) return name;
   const auto folder = reading_.folders.find(node_.find(key)->place.file);
   const auto base = folder == reading_.folders.end() ? reading_.folders.find("") : folder;
@@ -307,7 +308,7 @@ const std::string& Table::moves_nothing(const std::string& key) {
 std::string Table::choice(const std::string& key, const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  const std::string chosen = word(key, "one of " + list);
+  std::string chosen = word(key, "one of " + list);
   if (chosen.empty() || std::find(words.begin(), words.end(), chosen) != words.end()) return chosen;
   fault(key, unknown_word("choice", chosen, words));
   return "";

@@ -90,7 +90,8 @@ class Table {
   std::optional<double> maybe(const std::string& key, Want want);
   // "0 0 10 mm", or [0.0, 0.0, 1.0] where dimensionless.
   std::vector<double> values(const std::string& key, Want want);
-  std::vector<double> values(const std::string& key, Want want, std::vector<double> fallback);
+  std::vector<double> values(const std::string& key, Want want,
+                             const std::vector<double>& fallback);
   Vec3 vector(const std::string& key, Dimension dimension);
   Vec3 vector(const std::string& key, Dimension dimension, const Vec3& fallback);
   Vec3 direction(const std::string& key);  // [1] normalised
