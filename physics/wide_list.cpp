@@ -178,7 +178,7 @@ void WideSearch::find(const Spheres& spheres, std::uint32_t run,
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < own; ++i) {
     list.partner.resize(count + near.count + lanes);
-    const std::size_t from = adheres(run * run_length) ? own : i + 1;
+    const std::size_t from = adheres(std::size_t{run} * run_length) ? own : i + 1;
     const std::uint32_t* const end = near.append_near(i, from, reach, &list.partner[count]);
     count = static_cast<std::uint32_t>(end - list.partner.data());
     list.start[i + 1] = count;

@@ -79,7 +79,7 @@ std::vector<Part> parts_of(const std::vector<Triangle>& triangles) {
         part.is_contradictory = part.is_contradictory || turned[other.triangle] != wanted;
       }
     }
-    for (const std::size_t t : part.triangles) part.is_turned.push_back(turned[t] == 1);
+    for (const std::size_t t : part.triangles) part.is_turned.push_back(turned[t] == 1 ? 1 : 0);
     parts.push_back(std::move(part));
   }
   return parts;

@@ -141,7 +141,8 @@ double read_closing(Table& root) {
   const Node* figure = closing->is_table() ? closing->find("value") : closing;
   if (figure == nullptr || figure->kind != Node::Kind::string) return infinity;
   const Quantities read = root.reading().units.parse(figure->text, Dimension::time);
-  return read.values.size() == 1 ? read.values.front() : infinity;  // read_chamber tells the fault
+  if (read.values.size() != 1) return infinity;  // read_chamber tells the fault
+  return read.values.front();
 }
 
 std::optional<ChamberCase> read_chamber(Table& root, const std::optional<Rig>& rig,

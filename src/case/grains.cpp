@@ -56,8 +56,8 @@ bool strew(const PlacedFace& at, const Layer& layer, std::uint64_t seed, Grain g
   return true;
 }
 
-void read_layer(Table& table, const WallSetting& setting, const GrainGround& ground, Grain grain,
-                std::vector<Grain>& grains) {
+void read_layer(Table& table, const WallSetting& setting, const GrainGround& ground,
+                const Grain& grain, std::vector<Grain>& grains) {
   const Layer layer{
       2.0 * grain.radius,
       table.value("area_fraction", {Dimension::none, {0.0, physics::densest_layer, true}}),

@@ -28,7 +28,8 @@ inline double way_to_triangle(const HalfLine& line, const Triangle& t) {
   const double a = s.dot(h) / scale;
   const Vec3 q = s.cross(u);
   const double b = line.direction.dot(q) / scale, way = v.dot(q) / scale;
-  return a >= 0.0 && b >= 0.0 && a + b <= 1.0 && way > 0.0 ? way : nowhere;
+  if (a >= 0.0 && b >= 0.0 && a + b <= 1.0 && way > 0.0) return way;
+  return nowhere;
 }
 
 }  // namespace pmr::casefile

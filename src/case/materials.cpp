@@ -132,7 +132,8 @@ void MaterialBook::check(std::uint32_t index, const Models& models) {
                    "is missing; the heat law 'oxide' counts oxygen");
 }
 
-PairContact MaterialBook::read_contact(std::string key) {
+PairContact MaterialBook::read_contact(const std::string& unread) {
+  const std::string key = unread;  // which may lie among the unread ones
   unread_pairs_.erase(key);
   reading_.provenance = &provenance_;
   Table table(reading_, contacts_.at(key), "contacts.\"" + key + "\"");
