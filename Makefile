@@ -44,8 +44,9 @@ everything: configure
 test: everything
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE slow
 
-test-slow: everything
+test-slow: configure
 	@scripts/install-packages packages-slow.txt
+	@cmake --build $(BUILD) -j $(JOBS) --target pmr test_slow test_report_size
 	@ctest --test-dir $(BUILD) --output-on-failure -L slow
 
 verify: pmr
