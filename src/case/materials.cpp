@@ -132,8 +132,7 @@ void MaterialBook::check(std::uint32_t index, const Models& models) {
                    "is missing; the heat law 'oxide' counts oxygen");
 }
 
-PairContact MaterialBook::read_contact(const std::string& unread) {
-  const std::string key = unread;  // which may lie among the unread ones
+PairContact MaterialBook::read_contact(const std::string& key) {
   unread_pairs_.erase(key);
   reading_.provenance = &provenance_;
   Table table(reading_, contacts_.at(key), "contacts.\"" + key + "\"");
@@ -175,7 +174,10 @@ Materials MaterialBook::finish(const Models& models) {
       if (both || with_wall) set_pair(i, j);
     }
   }
-  while (!unread_pairs_.empty()) read_contact(*unread_pairs_.begin());  // for their faults alone
+  while (!unread_pairs_.empty()) {
+    const std::string key = *unread_pairs_.begin();
+    read_contact(key);  // for its faults alone
+  }
   return std::move(materials_);
 }
 

@@ -35,7 +35,7 @@ class MaterialBook {
   std::uint32_t load(const std::string& name);
   void check(std::uint32_t index, const Models& models);
   void add_contact(const std::string& key, const Node& node);
-  PairContact read_contact(const std::string& unread);
+  PairContact read_contact(const std::string& key);
   void set_pair(std::uint32_t i, std::uint32_t j);
   std::vector<std::string> names() const;
 
