@@ -51,7 +51,8 @@ fs::path write_array(const fs::path& folder, const std::string& name,
                      const std::vector<const Job*>& jobs, int threads) {
   std::string list;
   for (const Job* job : jobs) list += line_of(*job);
-  const fs::path commands = folder / (name + ".commands"), script = folder / (name + ".sh");
+  const fs::path commands = folder / (name + ".commands");
+  fs::path script = folder / (name + ".sh");
   io::replace_text(commands, list);
   io::replace_text(script, fmt::format("#!/bin/sh\n"
                                        "#SBATCH --job-name=pmr-{}\n"
@@ -91,14 +92,14 @@ std::string text_of(const fs::path& file) {
 // Job numbers, "12,13": of what an earlier call submitted and still runs, or of a new submission.
 std::string submitted(std::span<const Job> jobs, const fs::path& folder, int threads) {
   const fs::path note = folder / "submitted";
-  const std::string earlier = text_of(note);
+  std::string earlier = text_of(note);
   if (!earlier.empty() && is_alive(earlier)) return earlier;
   std::vector<const Job*> mixings, runs;
   for (const Job& job : jobs) (job.name.rfind("mixing ", 0) == 0 ? mixings : runs).push_back(&job);
   const std::string first =
       mixings.empty() ? "" : submit(write_array(folder, "mixings", mixings, threads), "");
   const std::string second = submit(write_array(folder, "runs", runs, threads), first);
-  const std::string ids = first.empty() ? second : first + "," + second;
+  std::string ids = first.empty() ? second : first + "," + second;
   io::replace_text(note, ids + "\n");
   return ids;
 }

@@ -187,8 +187,10 @@ Check isothermal_box() {
   c.models.conduction = ConductionModel{true, true, 0.5, 0.6};
   c.models.radiation = RadiationModel{10.0, 10.0, 1.0, 1.0, 1273.15};
   ThermalScene scene(c);
-  for (int i = 0; i < 64; ++i)
-    scene.add(Vec3(i % 4, (i / 4) % 4, i / 16) * 1.99e-3, 1273.15);  // overlapping by 1 %
+  for (int z = 0; z < 4; ++z)
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x)
+        scene.add(Vec3(x, y, z) * 1.99e-3, 1273.15);  // overlapping by 1 %
   scene.add_box(Vec3(-0.95e-3, -0.95e-3, -0.95e-3), Vec3(7e-3, 7e-3, 7e-3), 1273.15);
   scene.begin();
   scene.state.exchange = coupling::retrace(scene.setup, scene.nodes, scene.state, 10.0);

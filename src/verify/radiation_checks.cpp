@@ -258,7 +258,8 @@ std::vector<Sphere> dense_packing(int cells, double solid_fraction) {
   Random random(seed, Purpose::test, 2);
   for (int cell = 0; cell < cells * cells * cells; ++cell)
     for (const Vec3& b : base) {
-      const Vec3 corner(cell % cells, cell / cells % cells, cell / cells / cells);
+      const int row = cell / cells, layer = row / cells;
+      const Vec3 corner(cell % cells, row % cells, layer);
       const auto uneven = [&] { return shift * (2.0 * random.uniform() - 1.0); };
       const double x = uneven(), y = uneven(), z = uneven();
       const Vec3 centre =

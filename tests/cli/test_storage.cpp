@@ -80,9 +80,10 @@ TEST_CASE("What a run that was killed at once has left is taken over") {
 
 TEST_CASE("Names that no file system takes are refused as input") {
   const std::string name(256, 'x');
-  for (const std::string& line :
-       {"run " + tiny + " -o " + name, "resume " + name, "report " + name, "run " + name,
-        "run " + tiny + " --bed " + name, "sweep " + name, "analyse " + name}) {
+  for (const std::string& before :
+       {"run " + tiny + " -o ", std::string("resume "), std::string("report "), std::string("run "),
+        "run " + tiny + " --bed ", std::string("sweep "), std::string("analyse ")}) {
+    const std::string line = before + name;
     const Said said = pmr_says(line);
     INFO(line.substr(0, 20) << " -> " << said.text);
     CHECK(said.status == 2);

@@ -11,6 +11,7 @@
 
 // HDF5 1.10 itself leaks some 400 bytes each time it refuses damaged metadata; the address
 // sanitizer asks here what to overlook.
+// NOLINTNEXTLINE(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
 using namespace pmr;

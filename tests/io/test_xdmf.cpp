@@ -77,7 +77,7 @@ TEST_CASE("Datasets that run.xdmf refers to exist with the sizes it says") {
     CHECK(run.shape(path).rows == std::stoul((*it)[1]));
     CHECK(run.shape(path).width == ((*it)[2].length() > 0 ? 3 : 1));
   }
-  CHECK(count == 2 * 9);  // vertices, position and seven attributes, two snapshots with particles
+  CHECK(count == 2UL * 9);  // vertices, position and seven attributes, two snapshots with particles
 }
 
 // ParaView's Xdmf3 readers take cells from a dataset alone: without one nothing is drawn.
