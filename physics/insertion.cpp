@@ -72,7 +72,8 @@ bool is_tilted(const Case& c) {
 // Every so many of the places: a layer that is not full lies thinner everywhere, not on one side.
 std::vector<Vec3> thinned(std::vector<Vec3> places, std::size_t wanted) {
   if (places.size() <= wanted) return places;
-  for (std::size_t k = 0; k < wanted; ++k) places[k] = places[k * places.size() / wanted];
+  for (std::size_t k = 0; k < wanted; ++k)
+    places[k] = places[(2 * k + 1) * places.size() / (2 * wanted)];
   places.resize(wanted);
   return places;
 }

@@ -234,6 +234,22 @@ TEST_CASE("A bed of few layers lies evenly, although the last is not full") {
   }
 }
 
+TEST_CASE("A few particles in a wide region lie about its middle") {
+  Case c = bare_case();
+  c.species.resize(1);
+  c.species[0].diameter = 2.99e-3;
+  c.species[0].region = BoxRegion{Vec3(0.0, -0.025, 0.0), Vec3(0.2, 0.025, 0.04)};
+  c.domain_low = Vec3::Constant(-1.0);
+  c.domain_high = Vec3::Constant(1.0);
+  c.species[0].count = 3;
+  for (c.seed = 1; c.seed <= 8; ++c.seed) {
+    const Particles p = physics::insert(c);
+    REQUIRE(p.size() == 3);
+    const double middle = (p.position[0][0] + p.position[1][0] + p.position[2][0]) / 3.0;
+    CHECK(std::abs(middle - 0.1) < 0.03);  // 0.033 off where the first place of all is taken
+  }
+}
+
 TEST_CASE("A region of a thousand kilometres is refused at once") {
   Case c = bare_case();
   c.domain_low = Vec3::Constant(-2e6);
