@@ -18,6 +18,7 @@ struct DerivedFound {
 struct Predicted {
   TargetIndex target;
   std::vector<double> values;
+  std::string run;  // the first of them that ended
 };
 
 struct Calibration {

@@ -45,7 +45,7 @@ void give_closest(const statistics::Problem& problem, const Grid& grid, StageRes
   result.is_closest = true;
   ModeFound& first = result.modes.front();
   first.at = statistics::closest(problem, grid);
-  result.warnings.push_back(
+  result.doubts.push_back(
       "the measured levels do not cross: the point that comes closest is given");
 }
 
@@ -55,9 +55,8 @@ void decide(const Lab& lab, const Stage& stage, StageResult& result) {
   for (std::size_t l = stage.use.size(); l < result.levels.size(); ++l) {
     const Level& level = result.levels[l];
     if (!level.fit.refusal.empty()) {
-      result.warnings.push_back(
-          lab.target_name(level.target) +
-          " cannot decide, its surrogate does not hold: " + level.fit.refusal);
+      result.doubts.push_back(lab.target_name(level.target) +
+                              " cannot decide, its surrogate does not hold: " + level.fit.refusal);
       continue;
     }
     by.push_back(lab.target_name(level.target));
@@ -86,7 +85,7 @@ void decide(const Lab& lab, const Stage& stage, StageResult& result) {
   result.decided = fmt::format("{} modes; {} gives the first {:.2g} of the weight",
                                result.modes.size(), what, result.modes.front().weight);
   if (result.modes[0].weight < clear * result.modes[1].weight)
-    result.warnings.push_back(
+    result.doubts.push_back(
         fmt::format("{} modes, none clearly the heaviest: all are given, the first is used",
                     result.modes.size()));
 }
@@ -97,12 +96,15 @@ Miss miss_of(const Target& target, const Level& level, const std::vector<double>
   const auto there = level.fit.surrogate.predict(point);
   const double off = there.mean - level.measured.level, s = level.measured.deviation;
   const double unit = target.is_logarithmic ? target.value : 1.0;
-  const double predicted = restored(target, there.mean + level.shift);
+  const double predicted = restored(target, there.mean + level.shift());
   return {predicted, predicted - target.value, off / s,
           unit * std::sqrt(std::max(0.0, off * off - s * s))};
 }
 
 void choose(const Lab& lab, const Stage& stage, StageResult& result) {
+  result.modes.clear();
+  result.doubts.clear();
+  result.is_closest = false;
   const auto problem = problem_of(stage, result.levels);
   std::vector<statistics::Span> box;
   for (const Parameter& p : stage.parameters) box.push_back(p.box);
@@ -125,13 +127,13 @@ void choose(const Lab& lab, const Stage& stage, StageResult& result) {
           grid, statistics::log_density(grid, fields, problem.measured, problem.priors))
           .mass_on_edge(grid);
   if (result.mass_on_edge > on_edge)
-    result.warnings.push_back(fmt::format(
+    result.doubts.push_back(fmt::format(
         "{:.0f} % of the mass lies on the edge of the box: widen it", 100.0 * result.mass_on_edge));
   for (std::size_t l = 0; l < stage.use.size(); ++l) {
     const Target& target = lab.target(stage.use[l]);
     const Miss miss = miss_of(target, result.levels[l], result.best().at);
     if (std::abs(miss.deviations) > far)
-      result.warnings.push_back(fmt::format(
+      result.doubts.push_back(fmt::format(
           "{} is missed by {:.3g} {} ({:.1f} deviations); a discrepancy of {:.3g} would reconcile "
           "them",
           lab.target_name(stage.use[l]), miss.difference, target.response.unit, miss.deviations,

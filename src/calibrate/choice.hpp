@@ -4,7 +4,8 @@
 
 namespace pmr::calibrate {
 
-// Fills in modes, the mass on the box's edge and what decided, heaviest mode first.
+// Fills in modes, the mass on the box's edge, what decided, and doubts; heaviest mode first. Anew
+// where the levels were chosen from before.
 void choose(const Lab& lab, const Stage& stage, StageResult& result);
 
 // How far a level is missed at a point: in the target's unit, in deviations, and the discrepancy

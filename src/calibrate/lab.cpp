@@ -62,7 +62,7 @@ Target read_target(Table& table, const std::string& name) {
   return target;
 }
 
-Test read_test(Table& table, const std::string& name) {
+Test read_test(Table& table, const std::string& name, std::size_t predictions) {
   Test test;
   test.name = name;
   test.label = table.word_or("label", name);
@@ -70,6 +70,8 @@ Test read_test(Table& table, const std::string& name) {
   test.settings = study::read_settings(table);
   test.small = study::read_settings(table, "small");
   test.pairs = table.count("pairs", 2, 4);
+  test.predictions = table.count("predictions", 0, predictions);
+  test.synthetic = table.count("synthetic", 2, test.synthetic);
   if (test.small.empty() && table.has("pairs"))
     table.fault("pairs", "goes with [..small]: settings of a cheaper sample");
   if (table.need("responses", "a table for each figure that was measured") != nullptr)
@@ -203,7 +205,8 @@ Lab read_root(casefile::Reading& reading, const Node& document) {
   lab.teaches = root.word("teaches", "a paragraph on what the calibration is for");
   lab.constants = study::read_constants(root);
   lab.settings = study::read_settings(root);
-  lab.predictions = root.count("predictions", 0, lab.predictions);
+  const std::size_t predictions = root.count("predictions", 0, Test{}.predictions);
+  lab.rounds = root.count("rounds", 0, lab.rounds);
   if (root.has("known")) {
     const Node* node = root.look("known");
     lab.known = fs::absolute(node->place.file).parent_path() / root.word_or("known", "");
@@ -217,7 +220,7 @@ Lab read_root(casefile::Reading& reading, const Node& document) {
   }
   if (root.need("tests", "a table for each test") != nullptr)
     study::for_each_in_order(root, "tests", [&](Table& table, const std::string& name) {
-      lab.tests.push_back(read_test(table, name));
+      lab.tests.push_back(read_test(table, name, predictions));
     });
   if (root.need("stages", "a table for each stage") != nullptr)
     study::for_each_in_order(root, "stages", [&](Table& table, const std::string& name) {

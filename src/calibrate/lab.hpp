@@ -34,6 +34,8 @@ struct Test {
   std::vector<study::Setting> settings;  // laid on the case
   std::vector<study::Setting> small;     // besides, of the cheaper sample; none: there is none
   std::size_t pairs = 0;                 // [1] points run both small and in full
+  std::size_t predictions = 3;           // [1] seeds of the runs at the parameters found
+  std::size_t synthetic = 5;             // [1] experiments, where the program makes the results
   std::vector<Target> targets;
 };
 
@@ -85,7 +87,7 @@ struct Lab {
   std::vector<Test> tests;
   std::vector<Stage> stages;
   std::vector<Derived> derived;
-  std::size_t predictions = 3;                 // [1] seeds of the runs at the parameters found
+  std::size_t rounds = 3;                      // [1] at most, of corrections from such runs
   std::optional<std::filesystem::path> known;  // CSV of runs that were made before
 
   const Target& target(TargetIndex at) const { return tests[at.test].targets[at.target]; }

@@ -87,9 +87,11 @@ Value json_of(const Lab& lab, const StageResult& result, const Level& level, boo
   v.set("mean_standardised_square", level.fit.validation.mean_standardised_square);
   v.set("runs_failed", level.fit.lost);
   v.set("runs_censored", level.fit.censored);
-  v.set("small_to_full", level.shift);
-  v.set("small_to_full_error", level.shift_error);
-  v.set("from_earlier_stages", level.earlier);
+  v.set("small_to_full", level.small.value);
+  v.set("small_to_full_error", level.small.error);
+  v.set("guesses_to_found", level.guesses.value);
+  v.set("guesses_to_found_error", level.guesses.error);
+  v.set("from_other_stages", level.others);
   v.set("deviation", level.measured.deviation);
   v.set("refusal", level.fit.refusal);
   if (result.modes.empty()) return v;

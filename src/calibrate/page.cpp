@@ -62,13 +62,6 @@ std::string found_table(const Findings& f) {
                   rows);
 }
 
-const Outcome* first_found(const Findings& f, std::size_t test) {
-  for (const Outcome& o : f.runs.all())
-    if (o.test == test && o.status == "completed" && !o.is_known && o.name.rfind("found_", 0) == 0)
-      return &o;
-  return nullptr;
-}
-
 std::string run_cell(const Findings& f, const Outcome& o) {
   const fs::path page = fs::path("runs") / o.name / "report.html";
   return fs::exists(f.folder / page)
@@ -100,7 +93,7 @@ report::Section answer_part(const Findings& f) {
                       "The same in <a href=\"contacts.toml\">contacts.toml</a>, which a case or a "
                       "study takes as it is, and in <a href=\"calibration.json\">"
                       "calibration.json</a>. Deviations hold measurement, surrogate, the floor "
-                      "given to each test, small samples and earlier stages.",
+                      "given to each test, small samples and other stages.",
                       "class=\"caption\"")};
 }
 
@@ -125,11 +118,11 @@ report::Section predicted_part(const Findings& f) {
 
 report::Section picture_part(const Findings& f) {
   std::vector<report::RunData> shots;
-  for (std::size_t t = 0; t < f.lab.tests.size(); ++t) {
-    const Outcome* o = first_found(f, t);
-    if (o == nullptr || !fs::exists(f.folder / "runs" / o->name / "run.h5")) continue;
-    shots.push_back(report::read_run(f.folder / "runs" / o->name));
-    shots.back().name = f.lab.tests[t].label;
+  for (const Predicted& p : f.found.predicted) {
+    const fs::path run = f.folder / "runs" / p.run;
+    if (p.target.target != 0 || p.run.empty() || !fs::exists(run / "run.h5")) continue;
+    shots.push_back(report::read_run(run));
+    shots.back().name = f.lab.tests[p.target.test].label;
   }
   if (shots.empty())
     return {"pictures", "Pictures", report::absent("No run at the parameters found is at hand.")};

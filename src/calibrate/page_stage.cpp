@@ -125,7 +125,7 @@ std::string level_chart(const Findings& f, const Plane& plane, const StageResult
   Value field;
   field.set("steps", shown_steps);
   field.set("values", drawn.mean);
-  for (double& value : drawn.mean) value = restored(target, value + level.shift);
+  for (double& value : drawn.mean) value = restored(target, value + level.shift());
   const auto [low, high] = std::minmax_element(drawn.mean.begin(), drawn.mean.end());
   Value::Array lines;
   add_band(plane, level, "#d55e00", "", lines);
@@ -263,16 +263,16 @@ std::string misses_table(const Findings& f, const Stage& stage, const StageResul
         {escape(f.lab.target_name(level.target)) + (l < stage.use.size() ? "" : ", decides"),
          escape(level_text(target)), shown(miss.predicted), shown(miss.difference, 3),
          shown(miss.deviations, 2), shown(unit * level.measured.deviation, 2),
-         shown(unit * level.shift_error, 2), shown(unit * level.earlier, 2),
-         miss.discrepancy > 0.0 ? shown(miss.discrepancy, 2) : ""});
+         shown(unit * level.small.error, 2), shown(unit * level.guesses.value, 2),
+         shown(unit * level.others, 2), miss.discrepancy > 0.0 ? shown(miss.discrepancy, 2) : ""});
   }
-  return element(
-      "div",
-      report::table({"level", "measured", "surrogate at the point found", "difference",
-                     "in deviations", "deviation of all but the surrogate", "of it small samples",
-                     "of it earlier stages", "discrepancy to reconcile"},
-                    rows, "class=\"numbers compare\""),
-      "class=\"scroll\"");
+  return element("div",
+                 report::table({"level", "measured", "surrogate at the point found", "difference",
+                                "in deviations", "deviation of all but the surrogate",
+                                "of it small samples", "moved by other stages' guesses",
+                                "of the deviation other stages", "discrepancy to reconcile"},
+                               rows, "class=\"numbers compare\""),
+                 "class=\"scroll\"");
 }
 
 std::string charts_of(const Findings& f, const Stage& stage, const StageResult& result,

@@ -165,7 +165,8 @@ void Runs::find_reach() {
   if (!wrong.empty()) throw CaseError(std::move(wrong));
 }
 
-// A run that is known already, or one that is to be looked for in the folder, then in the plan.
+// A run that was made or is known already, or one that is to be looked for in the folder, then in
+// the plan.
 Outcome Runs::planned(const Wanted& wanted, study::Plan& plan) {
   const Test& test = lab_.tests[wanted.test];
   Outcome outcome{
@@ -183,6 +184,13 @@ Outcome Runs::planned(const Wanted& wanted, study::Plan& plan) {
   planner_.add(plan, std::move(run), test.case_file, settings_of(wanted, true));
   if (!plan.runs.back().fault.empty()) return outcome;
   outcome.case_hash = hash_of(plan.runs.back().case_text);
+  for (const Outcome& made : all_)
+    if (made.test == wanted.test && made.case_hash == outcome.case_hash) {
+      plan.runs.pop_back();
+      outcome = made;
+      outcome.is_small = wanted.is_small;
+      return outcome;
+    }
   const auto known = known_.find(outcome.case_hash);
   if (known == known_.end()) return outcome;
   outcome.is_known = true;
@@ -213,7 +221,7 @@ std::vector<Outcome> Runs::get(const std::vector<Wanted>& wanted) {
   bool is_whole = jobs.empty() || execute_(jobs);
   auto run = plan.runs.begin();
   for (Outcome& outcome : outcomes) {
-    if (!outcome.is_known) {
+    if (outcome.status.empty()) {
       std::vector<study::Response> responses;
       for (const Target& t : lab_.tests[outcome.test].targets) responses.push_back(t.response);
       const study::Row row = study::row_of(responses, plan, *run++, folder_);

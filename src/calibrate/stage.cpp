@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "calibrate/choice.hpp"
-#include "calibrate/earlier.hpp"
+#include "calibrate/others.hpp"
 #include "calibrate/stage_runs.hpp"
 #include "statistics/band.hpp"
 #include "statistics/crossing.hpp"
@@ -66,7 +66,7 @@ class Search {
       add(next, false);
     }
     if (refuse()) return std::move(result_);
-    add_earlier(lab_, stage_, wanted_, earlier, mode_in_sight(), runs_, result_);
+    add_others(lab_, stage_, wanted_, earlier, mode_in_sight(), "earlier", runs_, result_);
     choose(lab_, stage_, result_);
     return std::move(result_);
   }
@@ -106,9 +106,8 @@ class Search {
     result_.levels.clear();
     for (std::size_t l = 0; l < targets_.size(); ++l) {
       const Target& target = lab_.target(targets_[l]);
-      Level level{targets_[l], fit(target, stage_.parameters, result_.samples[l]),
-                  0.0,         0.0,
-                  0.0,         measured(target)};
+      Level level{targets_[l],     fit(target, stage_.parameters, result_.samples[l]), {}, {}, 0.0,
+                  measured(target)};
       correct(level, l);
       result_.levels.push_back(std::move(level));
     }
@@ -134,10 +133,7 @@ class Search {
     }
     const auto band = statistics::band(differences);
     const double scatter = band.deviation * band.deviation;
-    level.shift = band.mean;
-    level.shift_error = std::sqrt(scatter / n + std::max(0.0, scatter - noise / n));
-    level.measured.level -= level.shift;
-    level.measured.deviation = std::hypot(level.measured.deviation, level.shift_error);
+    level.add(level.small, band.mean, std::sqrt(scatter / n + std::max(0.0, scatter - noise / n)));
   }
 
   std::vector<statistics::Field> fields_on(const Grid& grid) const {
@@ -267,6 +263,14 @@ class Search {
 
 }  // namespace
 
+void Level::add(Shift& shift, double value, double error) {
+  const double before = shift.error;
+  const double variance = measured.deviation * measured.deviation - before * before;
+  shift = {shift.value + value, error};
+  measured.level -= value;
+  measured.deviation = std::sqrt(std::max(0.0, variance) + error * error);
+}
+
 statistics::Problem problem_of(const Stage& stage, const std::vector<Level>& levels) {
   statistics::Problem problem;
   for (std::size_t l = 0; l < stage.use.size(); ++l) {
@@ -281,8 +285,9 @@ statistics::Problem problem_of(const Stage& stage, const std::vector<Level>& lev
 }
 
 statistics::Prediction foretold(const Level& level, const std::vector<double>& point) {
-  const auto small = level.fit.surrogate.predict(point);
-  return {small.mean + level.shift, std::hypot(small.deviation, level.shift_error)};
+  const auto bare = level.fit.surrogate.predict(point);
+  return {bare.mean + level.shift(),
+          std::hypot(bare.deviation, level.small.error, level.guesses.error)};
 }
 
 std::size_t fine_steps(const Stage& stage) { return fine[stage.parameters.size() - 1]; }

@@ -16,15 +16,23 @@ struct Found {
   std::vector<std::vector<double>> covariance;  // 0 between stages
 };
 
+// What is added to a surrogate, and how well that is known [transformed].
+struct Shift {
+  double value = 0.0, error = 0.0;
+};
+
 // A target within a stage.
 struct Level {
   TargetIndex target;
   Fit fit;
-  // What is added to the surrogate of small samples for full ones, and how well that is known, from
-  // pairs of runs; 0 and 0 where all are full [transformed].
-  double shift, shift_error;
-  double earlier;  // what the deviations of earlier stages' parameters come to [transformed]
-  statistics::Measured measured;  // with all of it, for the surrogate without the shift
+  Shift small;          // from small samples to full ones, of pairs of runs; 0 where all are full
+  Shift guesses;        // from guesses of other stages' parameters to what was found for them
+  double others = 0.0;  // what the deviations of other stages' parameters come to [transformed]
+  statistics::Measured measured;  // with all of it, for the surrogate without the shifts
+
+  double shift() const { return small.value + guesses.value; }
+  // Adds to the shifts: the measured level moves against it, its deviation holds the error.
+  void add(Shift& shift, double value, double error);
 };
 
 struct ModeFound {
@@ -43,7 +51,8 @@ struct StageResult {
   bool is_closest = false;                   // the levels do not cross: the closest point is given
   double mass_on_edge = 0.0;
   std::string ended, decided;         // why no more points were run; what chose the mode
-  std::vector<std::string> warnings;  // and refusals, first
+  std::vector<std::string> warnings;  // of the runs and surrogates, refusals first
+  std::vector<std::string> doubts;    // of the choice
 
   const ModeFound& best() const { return modes.front(); }
 };

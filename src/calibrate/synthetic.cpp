@@ -91,7 +91,7 @@ std::string synthetic_lab(const Lab& lab, const std::filesystem::path& truth, bo
   const study::Values values = truth_of(lab, truth);
   std::vector<Wanted> wanted;
   for (std::size_t t = 0; t < lab.tests.size(); ++t)
-    for (std::size_t k = 0; k < synthetic_seeds; ++k)
+    for (std::size_t k = 0; k < lab.tests[t].synthetic; ++k)
       wanted.push_back({t, !is_full && !lab.tests[t].small.empty(), values, "synthetic",
                         first_synthetic_seed + k});
   const auto outcomes = runs.get(wanted);
@@ -103,8 +103,14 @@ std::string synthetic_lab(const Lab& lab, const std::filesystem::path& truth, bo
   for (std::size_t t = 0; t < lab.tests.size(); ++t)
     for (std::size_t r = 0; r < lab.tests[t].targets.size(); ++r) {
       std::vector<double> results;
-      for (const Outcome& o : outcomes)
-        if (o.test == t && std::isfinite(o.responses[r])) results.push_back(o.responses[r]);
+      for (const Outcome& o : outcomes) {
+        if (o.test != t) continue;
+        if (std::isfinite(o.responses[r]))
+          results.push_back(o.responses[r]);
+        else if (o.status == "completed" && lab.tests[t].targets[r].beyond)
+          throw NumericsError(o.name + " ended beyond the limit of " + lab.target_name({t, r}) +
+                              ": a mean cannot be told; give the test more time");
+      }
       const auto band = statistics::band(results);
       if (band.count < 2)
         throw NumericsError(lab.target_name({t, r}) +

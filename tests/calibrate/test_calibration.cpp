@@ -218,20 +218,20 @@ TEST_CASE("A small sample is corrected by pairs of full ones, with their scatter
   });
   const auto c = bench.solved();
   REQUIRE_FALSE(c.is_refused);
-  CHECK(c.stages[0].levels[0].shift == Approx(0.05).epsilon(1e-3));
-  CHECK(c.stages[0].levels[0].shift_error < 1e-4);
+  CHECK(c.stages[0].levels[0].small.value == Approx(0.05).epsilon(1e-3));
+  CHECK(c.stages[0].levels[0].small.error < 1e-4);
   CHECK(c.found.values.at(0) == Approx(0.4).margin(0.005));
   CHECK(bench.lab.tests[0].pairs == 5);
   scatter = 0.1;  // between -0.04 and 0.04: the difference goes with the point
   std::filesystem::remove_all(bench.root / "out");
   const auto wide = bench.solved();
-  CHECK(wide.stages[0].levels[0].shift_error > 0.01);
+  CHECK(wide.stages[0].levels[0].small.error > 0.01);
   CHECK(std::sqrt(wide.found.covariance[0][0]) > 1.2 * std::sqrt(c.found.covariance[0][0]));
 
   std::filesystem::remove_all(bench.root / "out");
   bench.carried_out = 0;
   const auto full = bench.solved({true, std::nullopt});
-  CHECK(full.stages[0].levels[0].shift == 0.0);
+  CHECK(full.stages[0].levels[0].small.value == 0.0);
   CHECK(full.found.values.at(0) == Approx(0.4).margin(0.005));
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("Errors of an earlier stage widen those of the next, by the slope of i
               closed_forms);
   const auto c = bench.solved();
   REQUIRE(c.stages.size() == 2);
-  CHECK(c.stages[1].levels[0].earlier == Approx(0.02).epsilon(0.03));
+  CHECK(c.stages[1].levels[0].others == Approx(0.02).epsilon(0.03));
   CHECK(std::sqrt(c.found.covariance[1][1]) == Approx(0.02).epsilon(0.05));
   CHECK(c.found.values.at(1) == Approx(0.1).margin(0.001));
   CHECK(bench.solved({false, "one"}).stages.size() == 1);
@@ -272,10 +272,43 @@ TEST_CASE(
       });
   const auto c = bench.solved();
   REQUIRE(c.stages.size() == 2);
-  CHECK(c.stages[1].levels[0].earlier == Approx(both).epsilon(0.1));
+  CHECK(c.stages[1].levels[0].others == Approx(both).epsilon(0.1));
   CHECK(c.found.values.at(2) == Approx(0.5).margin(0.005));
   CHECK(c.derived.at(0).value == Approx(0.6).margin(0.005));
   CHECK(c.derived.at(0).deviation == Approx(both).epsilon(0.1));
+}
+
+TEST_CASE("Stages that mind each other's parameters settle where all tests are met at once") {
+  // x + y + 0.5 (z - 0.5), x y and z + 0.2 (x - y) at (0.4, 0.1, 0.7); z is guessed as 0.5 first,
+  // which alone would put x + y at 0.6.
+  const std::string lab =
+      "predictions = 2\n[sampling]\npoints = 14\nmost = 20\nreplicated = 0\n" +
+      levels(0.6, 0.04, 0.01, 0.001) + test_table("u") + response("u", "third", 0.76, 0.02) +
+      "[stages.one]\nuse = [\"t.sum\", \"t.product\"]\ndecide = [\"t.first\"]\n" +
+      two_unknowns("one") + "[stages.two]\nuse = [\"u.third\"]\n" +
+      unknown("two", "z", wall + "restitution", "guess = 0.5\n");
+  const auto coupled = [](const Case& c) {
+    const PairContact p = on_wall(c, "SrFeO3");
+    Said said = closed_forms(c);
+    said.figures[0].second += 0.5 * (p.restitution - 0.5);
+    said.figures.push_back({"third", p.restitution + 0.2 * (p.friction - p.rolling_friction)});
+    return said;
+  };
+  Bench bench(lab, coupled);
+  const auto c = bench.solved();
+  CHECK(c.found.values.at(0) == Approx(0.4).margin(0.01));
+  CHECK(c.found.values.at(1) == Approx(0.1).margin(0.005));
+  CHECK(c.found.values.at(2) == Approx(0.7).margin(0.01));
+  CHECK(c.stages[0].levels[0].guesses.value == Approx(0.1).margin(0.01));
+  // The deviation 0.02 of z, half of it in the sum.
+  CHECK(c.stages[0].levels[0].others == Approx(0.01).epsilon(0.3));
+  CHECK(c.warnings.empty());
+
+  Bench once("rounds = 0\n" + lab, coupled);
+  const auto guessed = once.solved();
+  CHECK(guessed.found.values.at(0) > 0.5);
+  REQUIRE_FALSE(guessed.warnings.empty());
+  CHECK_THAT(guessed.warnings.back(), Contains("set their guesses to what was found"));
 }
 
 TEST_CASE("A noise that no surrogate can foretell is refused, and nothing follows it") {
@@ -331,6 +364,7 @@ TEST_CASE("A lab that is made by the program finds again what it was made with")
                     unknown("last", "a", wall + "restitution") + response("t", "last", 0.8, 0.01);
   for (std::size_t at = 0; (at = lab.find("floor = 0\n", at)) != std::string::npos; at += 5)
     lab.replace(at, 9, "floor = 0.001");
+  lab.insert(lab.find("case = "), "synthetic = 7\n");
   Bench bench(lab, [](const Case& c) {
     Said said = closed_forms(c);
     said.figures.push_back({"last", on_wall(c, "SrFeO3").restitution});
@@ -351,7 +385,7 @@ TEST_CASE("A lab that is made by the program finds again what it was made with")
     CHECK_THROWS_WITH(calibrate::synthetic_lab(bench.lab, bench.root / "wrong.toml", false, runs),
                       Contains("rolling_friction"));
   }
-  CHECK_THAT(made, Contains("made by pmr at the parameters of truth.toml"));
+  CHECK_THAT(made, Contains("made by pmr at the parameters of truth.toml") && Contains("runs = 7"));
   bench.rewrite_whole(made, "synthetic.toml");
   const auto c = bench.solved();
   CHECK(bench.lab.stages.at(0).name == "s");  // stages are carried out in the lab's order
