@@ -74,6 +74,14 @@ Test read_test(Table& table, const std::string& name, std::size_t predictions) {
   test.synthetic = table.count("synthetic", 2, test.synthetic);
   if (test.small.empty() && table.has("pairs"))
     table.fault("pairs", "goes with [..small]: settings of a cheaper sample");
+  for (const study::Setting& limit : study::read_settings(table, "at_most")) {
+    if (limit.value.kind != Node::Kind::number)
+      table.reading().fault(limit.value.place, table.path("at_most"),
+                            "wanted a number for each key of summary.json");
+    study::Response figure;
+    figure.name = figure.key = limit.key;
+    test.limits.push_back({figure, limit.value.number});
+  }
   if (table.need("responses", "a table for each figure that was measured") != nullptr)
     study::for_each_in_order(table, "responses", [&](Table& inner, const std::string& response) {
       test.targets.push_back(read_target(inner, response));

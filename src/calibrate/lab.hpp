@@ -28,6 +28,12 @@ struct Target {
   std::optional<double> beyond;  // where a run ends without the figure, it is above this
 };
 
+// A figure of a run's summary that says that it came to nothing, such as grains left in a hopper.
+struct Limit {
+  study::Response figure;
+  double most;  // a run with more is lost to all responses of its test
+};
+
 struct Test {
   std::string name, label;
   std::filesystem::path case_file;
@@ -37,6 +43,7 @@ struct Test {
   std::size_t predictions = 3;           // [1] seeds of the runs at the parameters found
   std::size_t synthetic = 5;             // [1] experiments, where the program makes the results
   std::vector<Target> targets;
+  std::vector<Limit> limits;
 };
 
 struct Parameter {

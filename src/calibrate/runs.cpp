@@ -46,6 +46,22 @@ bool has_all(const Case& c, const std::vector<std::string>& materials) {
   });
 }
 
+// A run that exceeds a limit has failed; what a row holds for the limits goes.
+void hold_to_limits(const Test& test, study::Row& row) {
+  const std::size_t targets = test.targets.size();
+  for (std::size_t k = 0; k < test.limits.size() && row.status == "completed"; ++k) {
+    const double value = row.responses[targets + k];
+    if (value <= test.limits[k].most) continue;
+    row.status = "failed";
+    row.reason = std::isnan(value)
+                     ? fmt::format("its summary has no {}", test.limits[k].figure.key)
+                     : fmt::format("{} is {:.4g} where at most {:.4g} is wanted",
+                                   test.limits[k].figure.key, value, test.limits[k].most);
+  }
+  row.responses.resize(targets);
+  if (row.status != "completed") row.responses.assign(targets, nan);
+}
+
 }  // namespace
 
 study::Values completed(const Lab& lab, study::Values values) {
@@ -223,8 +239,11 @@ std::vector<Outcome> Runs::get(const std::vector<Wanted>& wanted) {
   for (Outcome& outcome : outcomes) {
     if (outcome.status.empty()) {
       std::vector<study::Response> responses;
-      for (const Target& t : lab_.tests[outcome.test].targets) responses.push_back(t.response);
-      const study::Row row = study::row_of(responses, plan, *run++, folder_);
+      const Test& test = lab_.tests[outcome.test];
+      for (const Target& t : test.targets) responses.push_back(t.response);
+      for (const Limit& limit : test.limits) responses.push_back(limit.figure);
+      study::Row row = study::row_of(responses, plan, *run++, folder_);
+      hold_to_limits(test, row);
       outcome.status = row.status;
       outcome.reason = row.reason;
       outcome.responses = row.responses;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "chemistry/gas.hpp"
 #include "coupling/thermal_state.hpp"
@@ -82,8 +83,15 @@ double accommodation_factor(const Side& side) {
   return (2.0 - alpha) / alpha;
 }
 
-double contact_factor(const ConductionModel& model) {
-  return model.contact_law == ContactConduction::liggghts ? physics::liggghts_contact_factor : 1.0;
+// The contact as other codes have it, to compare with: as though there were no gas beside it.
+std::optional<double> contact_of_other_codes(const ConductionModel& model, double k1, double k2,
+                                             double reduced_radius, double overlap, double radius) {
+  const bool is_liggghts = model.contact_law == ContactConduction::liggghts;
+  const bool is_soft = model.contact_area == ContactArea::of_soft_contact;
+  if (!is_liggghts && !is_soft) return std::nullopt;
+  return (is_liggghts ? physics::liggghts_contact_factor : 1.0) *
+         physics::contact_conductance(
+             k1, k2, is_soft ? physics::contact_radius(reduced_radius, overlap, 1.0) : radius);
 }
 
 // Conductances of a pair whose surfaces are `gap` [m] apart (negative: the soft overlap).
@@ -96,23 +104,28 @@ HeatLink link(const Context& context, const Surroundings& around, const Side& on
   const double reduced = physics::reduced_radius(one.radius, two.radius);
   const double radius = physics::contact_radius(
       reduced, -gap, physics::contact_softening(*one.material, *two.material));
-  HeatLink result{0, 0, 0.0, 0.0};
-  if (context.model.contact)
-    result.contact =
-        contact_factor(context.model) *
-        physics::contact_conductance(k1, k2,
-                                     context.model.contact_area == ContactArea::of_real_solid
-                                         ? radius
-                                         : physics::contact_radius(reduced, -gap, 1.0));
-  if (!context.model.gap || pressure <= 0.0) return result;
-  const auto between = around.table(0.5 * (one.temperature + two.temperature));
   const double soft = gap + one.radius + (to_wall ? 0.0 : two.radius);
-  result.gap = physics::gap_conductance(
-      {one.radius, two.radius, physics::true_distance(one.radius, two.radius, soft), radius,
-       context.model.bed_solid_fraction},
-      {k1, k2, between.conductivity,
-       between.jump * (accommodation_factor(one) + accommodation_factor(two))});
-  return result;
+  const physics::GapPair pair{one.radius, two.radius,
+                              physics::true_distance(one.radius, two.radius, soft), radius,
+                              context.model.bed_solid_fraction};
+  physics::GapMedium medium{k1, k2, 0.0, 0.0};
+  const bool has_gas = context.model.gap && pressure > 0.0;
+  if (has_gas) {
+    const auto between = around.table(0.5 * (one.temperature + two.temperature));
+    medium.conductivity_gas = between.conductivity;
+    medium.jump = between.jump * (accommodation_factor(one) + accommodation_factor(two));
+  }
+  const double fade =
+      gap > 0.0 ? physics::gap_fade(gap / std::min(one.radius, two.radius),
+                                    to_wall ? physics::wall_gap_fade : context.model.gap_reach)
+                : 1.0;
+  if (!context.model.contact)
+    return {0, 0, 0.0, has_gas ? fade * physics::gap_conductance(pair, medium) : 0.0};
+  if (const auto others = contact_of_other_codes(context.model, k1, k2, reduced, -gap, radius))
+    return {0, 0, *others, has_gas ? fade * physics::gap_conductance(pair, medium) : 0.0};
+  if (!has_gas) return {0, 0, physics::spot_conductance(pair, medium), 0.0};
+  const auto both = physics::pair_conductance(pair, medium);
+  return {0, 0, both.contact, fade * both.gas};
 }
 
 Side side_of(const Context& context, const Particles& p, std::size_t i) {

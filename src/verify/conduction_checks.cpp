@@ -12,6 +12,7 @@
 #include "pmr/base/constants.hpp"
 #include "verify/check.hpp"
 #include "verify/reference_materials.hpp"
+#include "verify/resolved_lens.hpp"
 
 namespace pmr::verify {
 namespace {
@@ -54,20 +55,43 @@ void add_packed_bed(std::vector<Check>& checks) {
 }
 
 void add_gap(std::vector<Check>& checks) {
-  const std::array<double, 3> ratios{10.0, 100.0, 1000.0};
-  const std::array<double, 3> touching{4.273907, 9.425428, 15.901665};
-  const std::array<double, 3> apart{2.826932, 3.933745, 4.139665};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const GapMedium medium{ratios[k], ratios[k], 1.0, 0.0};
-    const std::string ratio = std::to_string(static_cast<int>(ratios[k]));
-    checks.push_back({"conduction.gap.touching." + ratio, "Gap conductance of touching spheres",
-                      gap_conductance({1.0, 1.0, 2.0, 0.0, 0.6}, medium), touching[k],
-                      2e-5 * touching[k], "1",
-                      "adaptive quadrature of the model of Cheng, Yu & Zulli 1999"});
-    checks.push_back({"conduction.gap.apart." + ratio, "Gap conductance, centres 2.1 R apart",
-                      gap_conductance({1.0, 1.0, 2.1, 0.0, 0.6}, medium), apart[k], 2e-5 * apart[k],
-                      "1", "adaptive quadrature of the model of Cheng, Yu & Zulli 1999"});
+  // Steel in air, alumina and SrFeO3 in oxygen at 1 atm, 1000 and 10 Pa; unlike spheres, walls,
+  // gaps, spots. Radii and gas conductivity 1.
+  const struct {
+    const char* name;
+    GapPair pair;
+    GapMedium medium;
+  } lenses_held[] = {{"steel.air", {1.0, 1.0, 2.0, 0.0, 0.6}, {1600.0, 1600.0, 1.0, 5e-5}},
+                     {"alumina.1atm", {1.0, 1.0, 2.0, 0.0, 0.6}, {100.0, 100.0, 1.0, 3e-4}},
+                     {"alumina.1000Pa", {1.0, 1.0, 2.0, 0.0, 0.6}, {100.0, 100.0, 1.0, 0.04}},
+                     {"alumina.10Pa", {1.0, 1.0, 2.0, 0.0, 0.6}, {100.0, 100.0, 1.0, 4.0}},
+                     {"srfeo3.1atm", {1.0, 1.0, 2.0, 0.0, 0.6}, {20.0, 20.0, 1.0, 6e-4}},
+                     {"srfeo3.1000Pa", {1.0, 1.0, 2.0, 0.0, 0.6}, {20.0, 20.0, 1.0, 0.08}},
+                     {"poor", {1.0, 1.0, 2.0, 0.0, 0.6}, {5.0, 5.0, 1.0, 5e-5}},
+                     {"unlike", {1.0, 2.03, 3.03, 0.0, 0.6}, {20.0, 100.0, 1.0, 3e-4}},
+                     {"worst", {1.0, 2.03, 3.03, 0.0, 0.5}, {633.0, 128.0, 1.0, 5.7e-5}},
+                     {"wall", {1.0, plane_wall, 1.0, 0.0, 0.6}, {50.0, 1.0, 1.0, 1e-3}},
+                     {"apart", {1.0, 1.0, 2.02, 0.0, 0.6}, {50.0, 50.0, 1.0, 1e-3}},
+                     {"far", {1.0, 1.0, 3.0, 0.0, 0.6}, {7.0, 7.0, 1.0, 1e-3}},
+                     {"wall.far", {1.0, plane_wall, 3.0, 0.0, 0.6}, {20.0, 1.0, 1.0, 1e-3}},
+                     {"spot", {1.0, 1.0, 2.0, 0.005, 0.6}, {1600.0, 1600.0, 1.0, 5e-5}},
+                     {"spot.1000Pa", {1.0, 1.0, 2.0, 0.005, 0.6}, {100.0, 100.0, 1.0, 0.04}},
+                     {"spot.wide", {1.0, 1.3, 2.3, 0.03, 0.7}, {165.0, 165.0, 1.0, 2e-4}},
+                     {"spot.wall", {1.0, plane_wall, 1.0, 0.01, 0.6}, {50.0, 1e12, 1.0, 1e-3}},
+                     {"spot.vacuum", {1.0, 1.0, 2.0, 0.005, 0.6}, {1e9, 1e9, 1.0, 1.0}}};
+  for (const auto& [name, pair, medium] : lenses_held) {
+    const double resolved = resolved_conductance(pair, medium);
+    const auto law = pair_conductance(pair, medium);
+    checks.push_back({std::string("conduction.lens.resolved.") + name,
+                      "Spot and lens against conduction resolved in both bodies",
+                      law.contact + law.gas, resolved, 0.03 * resolved, "1",
+                      "rings and Legendre polynomials (verify/resolved_lens.hpp); 3 %"});
   }
+  // The resolved solution itself: a spot in vacuum has 2 k a, less what the spheres add.
+  const GapPair touching{1.0, 1.0, 2.0, 0.005, 0.6};
+  checks.push_back(closed_form(
+      "conduction.lens.resolved.2ka", "Resolved spot in vacuum against that of half-spaces, 2 k a",
+      resolved_conductance(touching, {1e9, 1e9, 1.0, 1.0}), {2.0 * 1e9 * 0.005, 0.015}, "1"));
   const std::pair<double, double> lenses[] = {
       {1e-3, 32.098332}, {1e-2, 18.063955}, {1e-1, 6.336426}};
   for (const auto& [h, conductance] : lenses) {

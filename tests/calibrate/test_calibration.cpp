@@ -135,6 +135,23 @@ TEST_CASE("A run that fails is lost to its own response alone") {
   CHECK_THAT(io::read_text(bench.root / "out" / "runs.csv"), Contains(",failed,sum,,the orifice"));
 }
 
+TEST_CASE("A run that exceeds a limit of its test is lost to its responses") {
+  const std::string lab = plain + test_table("t", "at_most = {left = 3}\n") +
+                          response("t", "first", 0.3, 0.01) + "[stages.s]\nuse = [\"t\"]\n" +
+                          unknown("s", "x", wall + "friction");
+  const auto left = [](const Case& c) {
+    const double friction = on_wall(c, "SrFeO3").friction;
+    return Said{
+        {{"first", friction < 0.5 ? friction : 0.0}, {"left", friction < 0.5 ? 3.0 : 200.0}}, ""};
+  };
+  Bench bench(lab, left);
+  const auto c = bench.solved();
+  CHECK(c.found.values.at(0) == Approx(0.3).margin(0.01));
+  CHECK(c.stages.at(0).levels.at(0).fit.lost > 2);
+  CHECK_THAT(io::read_text(bench.root / "out" / "runs.csv"),
+             Contains(",failed,first,,left is 200 where at most 3 is wanted"));
+}
+
 TEST_CASE("A calibration that was killed goes on to the same bytes, and makes no run twice") {
   const std::string lab = "predictions = 0\n[sampling]\npoints = 7\nmost = 20\nreplicated = 0\n" +
                           levels(0.5, 0.04, 0.01, 0.001) +

@@ -105,7 +105,7 @@ void add_trough(Case& c, double r, double width) {
 }  // namespace
 
 TEST_CASE("a bead and a granule give a wall what the laws say, by contact and by gas") {
-  // Overlap of 0.1 % of the radius; contact: 4 a k1 k2/(k1 + k2), a = sqrt(R d)
+  // Overlap of 0.1 % of the radius; contact alone: 4 a k1 k2/(k1 + k2), a = sqrt(R d)
   // (Y*soft/Y*real)^(1/3).
   for (const SpeciesIndex species : {SpeciesIndex{0}, SpeciesIndex{1}}) {
     Case c = bare_case();
@@ -115,13 +115,15 @@ TEST_CASE("a bead and a granule give a wall what the laws say, by contact and by
     const double softening = std::cbrt((5e6 / 2.0) / (1.0 / (1.0 / young + 1.0 / 200e9)));
     const double a = std::sqrt(radius * 1e-3 * radius) * softening;
     CHECK(got.links == 1);
-    CHECK(got.contact == Approx(4.0 * a * k * 20.0 / (k + 20.0)).epsilon(1e-9));
     const double jump = chemistry::jump_length(0.21, 350.0, in_air, 1.0) * 2.0 * 1.1 / 0.9;
-    const double gap =
-        physics::gap_conductance({radius, physics::plane_wall, radius, a, 0.6},
-                                 {k, 20.0, chemistry::gas_conductivity(0.21, 350.0), jump});
-    CHECK(got.gap == Approx(gap).epsilon(1e-5));  // a table over T stands between
-    CHECK(got.gap > 2.0 * got.contact);           // so that the two cannot be mistaken
+    const physics::GapPair pair{radius, physics::plane_wall, radius, a, 0.6};
+    const physics::GapMedium medium{k, 20.0, chemistry::gas_conductivity(0.21, 350.0), jump};
+    const auto law = physics::pair_conductance(pair, medium);
+    CHECK(got.contact == Approx(law.contact).epsilon(1e-4));  // a table over T stands between
+    CHECK(got.gap == Approx(law.gas).epsilon(1e-5));
+    CHECK(got.gap > 2.0 * got.contact);  // so that the two cannot be mistaken
+    const double bare = 4.0 * a * k * 20.0 / (k + 20.0);
+    CHECK(physics::spot_conductance(pair, medium) == Approx(bare).epsilon(0.01));
   }
 }
 

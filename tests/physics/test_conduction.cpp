@@ -21,28 +21,19 @@ using namespace pmr::physics;
 namespace {
 constexpr double ideal = std::numeric_limits<double>::infinity();  // [W/m/K]
 
-// The integral of gap.hpp by Simpson's rule over ln r, 4000 panels: error below 1e-10.
-double reference_gap(GapPair pair, GapMedium medium) {
-  if (pair.radius_2 < pair.radius_1) {
-    std::swap(pair.radius_1, pair.radius_2);
-    std::swap(medium.conductivity_1, medium.conductivity_2);
-  }
-  const double R1 = pair.radius_1, R2 = pair.radius_2, d = pair.distance;
-  const bool wall = std::isinf(R2);
-  const double D1 = wall ? d : (R1 * R1 - R2 * R2 + d * d) / (2.0 * d), D2 = d - D1;
-  const double r_ij = 0.560 * R1 * std::pow(pair.solid_fraction, -1.0 / 3.0);
-  const double r_sf = R1 * r_ij / std::sqrt(r_ij * r_ij + D1 * D1);
-  const double r_ij2 = wall ? 0.0 : D2 * r_sf / std::sqrt(R2 * R2 - r_sf * r_sf);
+// The lens between solids that conduct perfectly, int 2 pi r dr k_f/h, by Simpson's rule over ln r,
+// 4000 panels: error below 1e-10.
+double ideal_lens(const GapPair& pair, double jump) {
+  const auto [R1, R2] = std::minmax(pair.radius_1, pair.radius_2);
+  const double large = R2, small = R1, d = pair.distance;
+  const bool wall = std::isinf(large);
+  const double D1 = wall ? d : (small * small - large * large + d * d) / (2.0 * d);
+  const double r_ij = 0.560 * small * std::pow(pair.solid_fraction, -1.0 / 3.0);
+  const double r_sf = small * r_ij / std::sqrt(r_ij * r_ij + D1 * D1);
   const auto integrand = [&](double log_r) {
-    const double r = std::exp(log_r), beta1 = std::sqrt(R1 * R1 - r * r);
-    double sum = (beta1 - D1 * r / r_ij) / medium.conductivity_1;
-    double gap = d - beta1 + medium.jump;
-    if (!wall) {
-      const double beta2 = std::sqrt(R2 * R2 - r * r);
-      sum += (beta2 - D2 * r / r_ij2) / medium.conductivity_2;
-      gap -= beta2;
-    }
-    return 2.0 * pi * r * r / (sum + gap / medium.conductivity_gas);
+    const double r = std::exp(log_r);
+    const double other = wall ? 0.0 : std::sqrt(large * large - r * r);
+    return 2.0 * pi * r * r / (d - std::sqrt(small * small - r * r) - other + jump);
   };
   constexpr int panels = 4000;
   const double low = std::log(std::max(pair.contact_radius, 1e-7 * r_sf)), high = std::log(r_sf);
@@ -81,24 +72,60 @@ TEST_CASE("contact conductance is 2 k a for equal solids and symmetric for other
   CHECK(reduced_radius(2e-3, 2e-3) == Approx(1e-3).epsilon(1e-15));
 }
 
-TEST_CASE("the gap's quadrature is within 1e-5 of the integral") {
+TEST_CASE("the lens' quadrature is within 1e-5 of the integral") {
   Random random(1, Purpose::test, 1);
   const double radii[] = {1.0, 2.03, 1.0 / 2.03, plane_wall};
   double worst = 0.0;
   for (int i = 0; i < 2000; ++i) {
     const double R2 = radii[random.bits() % 4];
     const bool wall = std::isinf(R2), touching = random.uniform() < 0.5;
-    const double widest = wall ? wall_gap_reach : 0.5 * std::min(1.0, R2);  // of a half gap, if not
-    const double h = touching ? 0.0 : widest * std::pow(10, -4 * random.uniform());
+    const double h = touching ? 0.0 : 3.0 * std::min(1.0, R2) * std::pow(10, -4 * random.uniform());
     const double r_c = touching ? std::pow(10.0, -4.0 + 2.3 * random.uniform()) : 0.0;
-    const GapPair pair{1.0, R2, (wall ? 1.0 : 1.0 + R2) + h * (wall ? 1.0 : 2.0), r_c, 0.6};
+    const GapPair pair{1.0, R2, (wall ? 1.0 : 1.0 + R2) + h, r_c, 0.6};
+    const double jump = std::pow(10.0, -5.0 + 6.0 * random.uniform());
+    const double lens = gap_conductance(pair, {ideal, ideal, 1.0, jump});
+    worst = std::max(worst, std::abs(lens / ideal_lens(pair, jump) - 1.0));
+  }
+  CHECK(worst < 1e-5);
+}
+
+TEST_CASE("spot and lens carry less than both alone, for they heat the same solids") {
+  Random random(2, Purpose::test, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const double R2 = i % 3 == 0 ? plane_wall : i % 3 == 1 ? 1.0 : 2.03;
+    const double spot = std::pow(10.0, -4.0 + 2.5 * random.uniform());
+    const GapPair pair{1.0, R2, std::isinf(R2) ? 1.0 : 1.0 + R2, spot, 0.6};
     const GapMedium medium{std::pow(10.0, 0.7 + 2.5 * random.uniform()),
                            std::pow(10.0, 0.7 + 2.5 * random.uniform()), 1.0,
                            std::pow(10.0, -5.0 + 6.0 * random.uniform())};
-    worst =
-        std::max(worst, std::abs(gap_conductance(pair, medium) / reference_gap(pair, medium) - 1));
+    const auto both = pair_conductance(pair, medium);
+    const double lens = gap_conductance(pair, medium), touch = spot_conductance(pair, medium);
+    REQUIRE(both.contact > 0.0);
+    REQUIRE(both.gas > 0.0);
+    REQUIRE(both.contact + both.gas < lens + touch);
+    REQUIRE(both.contact + both.gas > std::max(lens, touch));
   }
-  CHECK(worst < 1e-5);
+  // Without gas the spot alone is left, without a spot the lens.
+  const GapPair pair{1.0, 1.0, 2.0, 0.004, 0.6}, bare{1.0, 1.0, 2.0, 0.0, 0.6};
+  const GapMedium medium{90.0, 20.0, 1e-9, 1e-4};
+  CHECK(pair_conductance(pair, medium).contact ==
+        Approx(spot_conductance(pair, medium)).epsilon(1e-6));
+  CHECK(pair_conductance(bare, medium).gas == gap_conductance(bare, medium));
+  CHECK(spot_conductance(pair, medium) ==
+        Approx(contact_conductance(90.0, 20.0, 0.004)).epsilon(0.01));
+}
+
+TEST_CASE("a gap's conductance fades smoothly about its middle") {
+  CHECK(gap_fade(0.25, 0.5) == 1.0);
+  CHECK(gap_fade(0.5, 0.5) == 0.5);
+  CHECK(gap_fade(0.75, 0.5) == 0.0);
+  CHECK(gap_fade(0.1, 0.0) == 0.0);
+  double before = 1.0;
+  for (double gap = 0.0; gap < 1.0; gap += 1e-3) {
+    const double now = gap_fade(gap, 0.5);
+    REQUIRE((now <= before && before - now < 4e-3));
+    before = now;
+  }
 }
 
 TEST_CASE("a gap conducts alike from either side") {

@@ -148,7 +148,7 @@ enum class RadiationLaw { traced, environment };
 struct ConductionModel {
   bool contact;               // solid contacts
   bool gap;                   // gas in the gaps
-  double gap_reach;           // [1] of the smaller radius, widest gap that conducts
+  double gap_reach;           // [1] of the smaller radius: across it half is conducted
   double bed_solid_fraction;  // [1] phi in r_ij of the gap model
   std::size_t shells = 1;     // [1] of equal volume in each particle; 1: isothermal
   ContactConduction contact_law = ContactConduction::batchelor_obrien;
