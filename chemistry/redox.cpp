@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "chemistry/gas.hpp"
 #include "pmr/base/constants.hpp"
@@ -11,13 +13,57 @@
 namespace pmr::chemistry {
 namespace {
 
-double enthalpy_span(const RedoxEquilibrium& eq) {
-  return eq.enthalpy_maximum - eq.enthalpy_minimum;
+// u = s (delta - d0 - t)
+double reduced_delta(const ArctanEnthalpy& law, double delta) {
+  return law.steepness * (delta - law.offset - law.shift);
 }
 
-// u = s (delta - d0 - t)
-double reduced_delta(const RedoxEquilibrium& eq, double delta) {
-  return eq.steepness * (delta - eq.offset - eq.shift);
+double enthalpy(const ArctanEnthalpy& law, double delta) {
+  const double angle = std::atan(reduced_delta(law, delta));
+  return law.minimum + (law.maximum - law.minimum) / pi * (angle + 0.5 * pi);
+}
+
+double slope(const ArctanEnthalpy& law, double delta) {
+  const double u = reduced_delta(law, delta);
+  return (law.maximum - law.minimum) * law.steepness / (pi * (1.0 + u * u));
+}
+
+// Integral of atan(u) over delta is F(u)/s with F = u atan(u) - ln(1 + u^2)/2.
+Bond bond(const ArctanEnthalpy& law, double delta) {
+  const double span = law.maximum - law.minimum;
+  const double u = reduced_delta(law, delta), angle = std::atan(u);
+  const double part = (u * angle - 0.5 * std::log1p(u * u)) / (pi * law.steepness);
+  return {law.minimum + span / pi * (angle + 0.5 * pi),
+          law.minimum * delta + span * (0.5 * delta + part)};
+}
+
+std::pair<double, double> bounds(const ArctanEnthalpy& law, double) {
+  return {law.minimum, law.maximum};
+}
+
+double enthalpy(const PolynomialEnthalpy& law, double delta) {
+  return law.c[0] + delta * (law.c[1] + delta * (law.c[2] + delta * law.c[3]));
+}
+
+double slope(const PolynomialEnthalpy& law, double delta) {
+  return law.c[1] + delta * (2.0 * law.c[2] + delta * 3.0 * law.c[3]);
+}
+
+Bond bond(const PolynomialEnthalpy& law, double delta) {
+  const double heat =
+      law.c[0] + delta * (law.c[1] / 2.0 + delta * (law.c[2] / 3.0 + delta * law.c[3] / 4.0));
+  return {enthalpy(law, delta), heat * delta};
+}
+
+// Within which dh lies for 0 < delta < limit: what its coefficients' signs allow.
+std::pair<double, double> bounds(const PolynomialEnthalpy& law, double limit) {
+  double low = law.c[0], high = law.c[0], power = 1.0;
+  for (std::size_t k = 1; k < law.c.size(); ++k) {
+    power *= limit;
+    low += std::min(0.0, law.c[k] * power);
+    high += std::max(0.0, law.c[k] * power);
+  }
+  return {low, high};
 }
 
 // ds without its configurational part.
@@ -49,13 +95,11 @@ struct LogitEquation {
 }  // namespace
 
 double reduction_enthalpy(const RedoxEquilibrium& eq, double delta) {
-  const double u = reduced_delta(eq, delta);
-  return eq.enthalpy_minimum + enthalpy_span(eq) / pi * (std::atan(u) + 0.5 * pi);
+  return std::visit([&](const auto& law) { return enthalpy(law, delta); }, eq.enthalpy);
 }
 
 double reduction_enthalpy_slope(const RedoxEquilibrium& eq, double delta) {
-  const double u = reduced_delta(eq, delta);
-  return enthalpy_span(eq) * eq.steepness / (pi * (1.0 + u * u));
+  return std::visit([&](const auto& law) { return slope(law, delta); }, eq.enthalpy);
 }
 
 double reduction_entropy(const RedoxEquilibrium& eq, double T, double delta) {
@@ -97,8 +141,10 @@ double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) 
   const double most = std::nextafter(eq.delta_limit, 0.0);
   if (pressure == 0.0) return most;  // what ever lower pressures tend to
   const LogitEquation equation{eq, T, std::log(pressure / bar)};
-  // dh lies between its limits, so x lies between the two linear solutions.
-  double low = equation.linear(eq.enthalpy_maximum), high = equation.linear(eq.enthalpy_minimum);
+  // dh lies between its bounds, so x lies between the two linear solutions.
+  const auto [least, largest] =
+      std::visit([&](const auto& law) { return bounds(law, eq.delta_limit); }, eq.enthalpy);
+  double low = equation.linear(largest), high = equation.linear(least);
   double x = 0.5 * (low + high);
   while (high - low > 1e-15 * (1.0 + std::abs(x))) {
     const double excess = equation.excess(x);
@@ -116,11 +162,14 @@ double equilibrium_delta(const RedoxEquilibrium& eq, double T, double pressure) 
 double reduction_heat(const RedoxEquilibrium& eq, double delta) { return bond_at(eq, delta).heat; }
 
 Bond bond_at(const RedoxEquilibrium& eq, double delta) {
-  // Integral of atan(u) over delta is F(u)/s with F = u atan(u) - ln(1 + u^2)/2.
-  const double u = reduced_delta(eq, delta), angle = std::atan(u);
-  const double part = (u * angle - 0.5 * std::log1p(u * u)) / (pi * eq.steepness);
-  return {eq.enthalpy_minimum + enthalpy_span(eq) / pi * (angle + 0.5 * pi),
-          eq.enthalpy_minimum * delta + enthalpy_span(eq) * (0.5 * delta + part)};
+  return std::visit([&](const auto& law) { return bond(law, delta); }, eq.enthalpy);
+}
+
+bool is_stable(const RedoxEquilibrium& eq, double T) {
+  constexpr int parts = 500;
+  for (int k = 1; k < parts; ++k)
+    if (!(ln_pressure_delta_slope(eq, T, eq.delta_limit * k / parts) < 0.0)) return false;
+  return true;
 }
 
 double molar_mass(const Redox& redox, double delta) {

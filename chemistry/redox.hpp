@@ -1,6 +1,6 @@
 // Equilibrium of A B O(3-delta) with oxygen gas, per mol O taken out:
 //   ln(p_eq / 1 bar) = (2/R) (ds(delta) - dh(delta)/T)
-//   dh = dHmin + (dHmax - dHmin)/pi (atan(u) + pi/2),  u = s (delta - d0 - t)
+//   dh by one of the laws of EnthalpyLaw
 //   ds = S_th + s_v + 2 a R (ln(limit - delta) - ln(delta))
 // Vieten et al., Energy Environ. Sci. 12 (2019) 1369, with a constant thermal entropy of oxygen so
 // that Gibbs-Helmholtz holds; or, for comparison, with half of the entropy of O2 gas at T, as the
@@ -34,12 +34,15 @@ double ln_pressure_temperature_slope_with(const RedoxEquilibrium& eq, double T, 
 // H(delta) [J/mol Fe]: exact integral of dh, up to a constant; H(d2) - H(d1) is the heat taken up.
 double reduction_heat(const RedoxEquilibrium& eq, double delta);
 
-// What the bond's strength makes of delta, both from one arc tangent.
+// What the bond's strength makes of delta.
 struct Bond {
   double enthalpy;  // dh [J/mol O]
   double heat;      // H [J/mol Fe]
 };
 Bond bond_at(const RedoxEquilibrium& eq, double delta);
+
+// Whether delta in equilibrium with any pressure is unique at T [K]: p_eq falls as delta rises.
+bool is_stable(const RedoxEquilibrium& eq, double T);
 
 double molar_mass(const Redox& redox, double delta);  // [kg/mol Fe]
 // Formula units per volume of particle [mol/m3]; constant, since volume and formula units are.

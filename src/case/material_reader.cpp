@@ -1,7 +1,11 @@
 // One material: its figures and its laws.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "case/materials.hpp"
+#include "chemistry/heat_curve.hpp"
+#include "chemistry/redox.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
@@ -99,28 +103,65 @@ pmr::Table read_emissivity(Table& table) {
   return rows;
 }
 
-RedoxEquilibrium read_equilibrium(Table& law) {
+constexpr Want an_entropy{Dimension::molar_heat_capacity, any};
+
+void read(Table& law, ArctanEnthalpy, RedoxEquilibrium& e) {
   const Want energy{Dimension::molar_energy, positive};
-  const Want entropy{Dimension::molar_heat_capacity, any};
-  const Want delta{Dimension::none, {0.0, 3.0, false, false}};
-  RedoxEquilibrium e{};
-  e.enthalpy_minimum = law.value("enthalpy_minimum", energy);
-  e.enthalpy_maximum = law.value("enthalpy_maximum", energy);
-  e.shift = law.value("shift", a_number);
-  e.steepness = law.value("steepness", a_positive_number);
-  e.offset = law.value("offset", a_number);
-  e.vibration_entropy = law.value("vibration_entropy", entropy);
+  ArctanEnthalpy enthalpy{};
+  enthalpy.minimum = law.value("enthalpy_minimum", energy);
+  enthalpy.maximum = law.value("enthalpy_maximum", energy);
+  enthalpy.shift = law.value("shift", a_number);
+  enthalpy.steepness = law.value("steepness", a_positive_number);
+  enthalpy.offset = law.value("offset", a_number);
+  e.enthalpy = enthalpy;
+  e.vibration_entropy = law.value("vibration_entropy", an_entropy);
   const Node* oxygen = law.look("oxygen_entropy");
   if (oxygen == nullptr || oxygen->text != "gas")
-    e.oxygen_entropy = law.value("oxygen_entropy", entropy);
+    e.oxygen_entropy = law.value("oxygen_entropy", an_entropy);
+}
+
+void read(Table& law, PolynomialEnthalpy, RedoxEquilibrium& e) {
+  const Want energy{Dimension::molar_energy, any};
+  PolynomialEnthalpy enthalpy{};
+  enthalpy.c[0] = law.value("enthalpy_0", energy);
+  for (std::size_t k = 1; k < enthalpy.c.size(); ++k)
+    enthalpy.c[k] = law.value(fmt::format("enthalpy_{}", k), energy, 0.0);
+  e.enthalpy = enthalpy;
+  e.vibration_entropy = 0.0;
+  e.oxygen_entropy = law.value("entropy", an_entropy);
+}
+
+void read_fit(Table& law, RedoxEquilibrium& e) {
+  const Want delta{Dimension::none, {0.0, 3.0, false, false}};
   e.configuration = law.value("configuration", a_positive_number);
-  e.delta_limit = law.value("delta_limit", delta, 0.5);
   e.fit_delta_minimum = law.value("fit_delta_minimum", delta);
   e.fit_delta_maximum = law.value("fit_delta_maximum", delta);
   e.fit_temperature_minimum = law.value("fit_temperature_minimum", a_temperature);
   e.fit_temperature_maximum = law.value("fit_temperature_maximum", a_temperature);
   e.fit_pressure_minimum = law.value("fit_pressure_minimum", a_pressure);
   e.fit_pressure_maximum = law.value("fit_pressure_maximum", a_pressure);
+}
+
+// Both laws may stand in a material, each in a table of its name; "law" says which one counts.
+RedoxEquilibrium read_equilibrium(Table& redox) {
+  RedoxEquilibrium e{};
+  const Node* node = redox.look_table("equilibrium");
+  if (node == nullptr) return e;
+  Table table(redox.reading(), *node, redox.path("equilibrium"));
+  for (const char* key : {ArctanEnthalpy::name, PolynomialEnthalpy::name}) table.look(key);
+  e.delta_limit = table.value("delta_limit", {Dimension::none, {0.0, 3.0, false, false}}, 0.5);
+  const std::size_t before = redox.reading().faults();
+  const bool is_named = choose_law(table, "law", e.enthalpy, [&](auto named) {
+    table.need_table(named.name);
+    read_law(table, named.name, [&](Table& law) {
+      read(law, named, e);
+      read_fit(law, e);
+    });
+  });
+  if (!is_named)
+    table.ignore_rest();
+  else if (redox.reading().faults() == before && !chemistry::is_stable(e, chemistry::enthalpy_zero))
+    table.fault("law", "its pressure does not fall all the way as delta rises at 25 degC");
   return e;
 }
 
@@ -176,7 +217,7 @@ Redox read_redox(Table& table) {
   Redox redox{};
   table.need_table("equilibrium");
   table.need_table("rate");
-  read_law(table, "equilibrium", [&](Table& law) { redox.equilibrium = read_equilibrium(law); });
+  redox.equilibrium = read_equilibrium(table);
   read_law(table, "rate", [&](Table& law) {
     read_named(law, redox.rate);
     redox.rate_temperature_minimum = law.value("fit_temperature_minimum", a_temperature, 0.0);

@@ -271,6 +271,26 @@ void add_relaxation(std::vector<Check>& checks, Material ferrite) {
         573.15, 0.4, 40.0 * std::exp(92e3 / gas_constant * (1.0 / 573.15 - 1.0 / 673.15)));
 }
 
+// The smooth law of SrFeO3 against the same law solved apart.
+void add_smooth(std::vector<Check>& checks) {
+  const RedoxEquilibrium eq = smooth_equilibrium();
+  const struct {
+    double celsius, pressure, delta;  // [degC], [bar], [1]
+  } points[] = {{350.0, 0.21, 0.1652028},
+                {400.0, 0.01, 0.2184038},
+                {700.0, 0.21, 0.3140780},
+                {900.0, 0.01, 0.4488731},
+                {1100.0, 0.9, 0.4184190}};
+  for (const auto& [celsius, pressure, delta] : points)
+    checks.push_back(absolute("chemistry.smooth." + std::to_string(static_cast<int>(celsius)),
+                              "delta of the smooth law of SrFeO3",
+                              equilibrium_delta(eq, kelvin(celsius), pressure * bar),
+                              {delta, 1e-7, "1"}, "Brent's method apart, seven digits"));
+  checks.push_back(relative("chemistry.smooth.heat", "Heat of reduction from delta 0.2 to 0.35",
+                            reduction_heat(eq, 0.35) - reduction_heat(eq, 0.2),
+                            {12483.212625, 1e-9, "J/mol Fe"}, "adaptive quadrature apart"));
+}
+
 // Ceria is another material by data alone: its shipped file against the published formula.
 void add_ceria(std::vector<Check>& checks) {
   const Case c = casefile::load_case_text(R"(
@@ -387,6 +407,7 @@ std::vector<Check> chemistry_checks() {
   add_kinetics(checks, ferrite);
   add_variant_a(checks, ferrite.redox->equilibrium);
   add_relaxation(checks, ferrite);
+  add_smooth(checks);
   add_ceria(checks);
   const MixingTarget targets[] = {
       {"hot", 1100.0, 700.0, 700.0, 956.1, 922.8, 0.4689, 0.3812, 65.5},

@@ -14,11 +14,11 @@ constexpr OxideHeat brownmillerite{109.666, 51.718, -28.097, -2.551, 298.15, 150
 
 // Fit of the DLR thermogravimetry of SrFeO(3-d): Vieten et al., Energy Environ. Sci. 12 (2019)
 // 1369, data set RedoxThermoCSP (P); the constant oxygen entropy is the project's choice (D).
-constexpr RedoxEquilibrium vieten{.enthalpy_minimum = 63000.0,
-                                  .enthalpy_maximum = 87440.61481,
-                                  .shift = 0.058683613,
-                                  .steepness = 59.79085191,
-                                  .offset = 0.236534743,
+constexpr RedoxEquilibrium vieten{.enthalpy = ArctanEnthalpy{.minimum = 63000.0,
+                                                             .maximum = 87440.61481,
+                                                             .shift = 0.058683613,
+                                                             .steepness = 59.79085191,
+                                                             .offset = 0.236534743},
                                   .vibration_entropy = -28.05301778,
                                   .oxygen_entropy = 115.53095,
                                   .configuration = 0.756732351,
@@ -82,6 +82,21 @@ Material reference_ferrite() {
                          .atomic_oxygen = 15.999e-3,
                          .density_delta = 0.25};
   return material;
+}
+
+// scripts/fit-equilibrium (D).
+RedoxEquilibrium smooth_equilibrium() {
+  return {.enthalpy = PolynomialEnthalpy{{25768.6, 342130.0, -472683.0, 0.0}},
+          .vibration_entropy = 0.0,
+          .oxygen_entropy = 92.0266,
+          .configuration = 1.09293,
+          .delta_limit = 0.5,
+          .fit_delta_minimum = 0.168,
+          .fit_delta_maximum = 0.476,
+          .fit_temperature_minimum = 400.0 + zero_celsius,
+          .fit_temperature_maximum = 1100.0 + zero_celsius,
+          .fit_pressure_minimum = 0.01 * bar,
+          .fit_pressure_maximum = 0.9 * bar};
 }
 
 Material reference_fibre_board() {

@@ -53,14 +53,14 @@ heat = {law = "constant"}
 conductivity = {law = "constant"}
 emissivity = {temperature = "300 K"}
 [materials.NAME.redox]
-equilibrium = {}
+equilibrium = {law = "arctan", arctan = {}}
 rate = {law = "power", oxidation_energy = "1 J/mol"}
 pores = {}
 [materials.NAME2]
 heat = {law = "shomate"}
 conductivity = {law = "table"}
 [materials.NAME2.redox]
-equilibrium = {}
+equilibrium = {law = "polynomial", polynomial = {}}
 rate = {law = "relaxation"}
 [materials.NAME3]
 heat = {law = "oxide"}

@@ -81,7 +81,7 @@ TEST_CASE("by detailed balance the vacancies' law has the reduction that Bulfin 
   constexpr double n = 0.217, bound = 195.6e3;
   Redox ceria = *verify::reference_ferrite().redox;
   RedoxEquilibrium& eq = ceria.equilibrium;
-  eq.enthalpy_minimum = eq.enthalpy_maximum = bound / (2.0 * n);
+  eq.enthalpy = PolynomialEnthalpy{{bound / (2.0 * n), 0.0, 0.0, 0.0}};
   eq.vibration_entropy = 0.0;
   eq.oxygen_entropy = std::log(8700.0) / n * gas_constant / 2.0;
   eq.configuration = 1.0 / (4.0 * n);

@@ -1,6 +1,7 @@
 // Materials as data: every figure with its source and a mark of confidence.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,13 +63,24 @@ using Conductivity = std::variant<AluminaConductivity, TabulatedConductivity>;
 
 // --- Redox chemistry of an oxide with oxygen sites that empty, A B O(3-delta) or M O(2-delta), per
 // formula unit; see chemistry/redox.hpp.
+// dh = dHmin + (dHmax - dHmin)/pi (atan(u) + pi/2), u = s (delta - d0 - t): two plateaus.
+struct ArctanEnthalpy {
+  static constexpr const char* name = "arctan";
+  double minimum, maximum;          // dHmin, dHmax [J/mol O]
+  double shift, steepness, offset;  // t, s, d0 [1]
+};
+// dh = c0 + c1 delta + c2 delta^2 + c3 delta^3.
+struct PolynomialEnthalpy {
+  static constexpr const char* name = "polynomial";
+  std::array<double, 4> c;  // [J/mol O]
+};
+using EnthalpyLaw = std::variant<ArctanEnthalpy, PolynomialEnthalpy>;
 struct RedoxEquilibrium {
-  double enthalpy_minimum, enthalpy_maximum;  // dHmin, dHmax [J/mol O]
-  double shift, steepness, offset;            // t, s, d0 [1]
-  double vibration_entropy;                   // s_v [J/mol O/K]
-  std::optional<double> oxygen_entropy;       // S_th [J/mol O/K]; none: half of that of O2 gas at T
-  double configuration;                       // a [1]
-  double delta_limit = 0.5;                   // delta stays in (0, limit)
+  EnthalpyLaw enthalpy;
+  double vibration_entropy;              // s_v [J/mol O/K]
+  std::optional<double> oxygen_entropy;  // S_th [J/mol O/K]; none: half of that of O2 gas at T
+  double configuration;                  // a [1]
+  double delta_limit = 0.5;              // delta stays in (0, limit)
   double fit_delta_minimum, fit_delta_maximum;              // [1] range of the fit
   double fit_temperature_minimum, fit_temperature_maximum;  // [K]
   double fit_pressure_minimum, fit_pressure_maximum;        // [Pa]
