@@ -18,13 +18,28 @@
 namespace pmr::calibrate {
 namespace {
 
-// What decides a run's result: the case without words and output, and the materials built in, which
-// it need not name.
+// Of materials, what mechanics asks for.
+void add_mechanics(const Materials& materials, Hash& hash) {
+  for (const Material& m : materials.list) {
+    hash.add(std::string_view(m.name));
+    for (const double figure : {m.density, m.young_soft, m.poisson_soft}) hash.add(figure);
+  }
+  for (const PairContact& pair : materials.pairs)
+    for (const double figure : {pair.friction, pair.rolling_friction, pair.restitution})
+      hash.add(figure);
+}
+
+// What decides a run's result: the case without words and output, and what it takes of the
+// materials built in, which it need not name.
 std::string hash_of(const std::string& case_text) {
   const casefile::Node document = casefile::parse_toml(case_text, "case");
+  const Case c = casefile::load_case_text(case_text, "case", ".", {});
   Hash hash;
-  for (const casefile::ShippedFile& file : casefile::shipped_files())
-    hash.add(std::string_view(file.text));
+  if (c.models.mechanics_only)
+    add_mechanics(c.materials, hash);
+  else
+    for (const casefile::ShippedFile& file : casefile::shipped_files())
+      hash.add(std::string_view(file.text));
   hash.add(std::string_view(
       casefile::write_toml(casefile::without(document, {"title", "description", "output"}))));
   return fmt::format("{:016x}", hash.value());
