@@ -30,8 +30,10 @@ HeatCurve curve_of(const OxideHeat& law) {
 HeatPoint inert_heat(const Material& material, double T) {
   if (const auto* law = std::get_if<ConstantHeat>(&material.heat))
     return {law->heat_capacity * (T - enthalpy_zero), law->heat_capacity};
+  if (const auto* law = std::get_if<TabulatedHeat>(&material.heat))
+    return {law->rows.integral(T) - law->rows.integral(enthalpy_zero), law->rows.table(T)};
   const auto* law = std::get_if<Shomate>(&material.heat);
-  ensure(law != nullptr, "an inert material's heat law is ConstantHeat or Shomate");
+  ensure(law != nullptr, "an inert material's heat law is a constant, a table or Shomate's");
   const HeatPoint molar = evaluate(curve_of(*law), T);
   return {molar.enthalpy / law->molar_mass, molar.heat_capacity / law->molar_mass};
 }

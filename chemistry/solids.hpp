@@ -4,8 +4,8 @@
 // from which everything else follows: with oxygen leaving as gas of h_O2(T), the heat of reaction
 // is dh(delta) at every T, and the books can close. Zero: 298.15 K for h_2.5, h_O2, inert solids
 // (Shomate: as the published F and H have it, which is within some 10 J/mol).
-// Laws: ConstantHeat and Shomate for inert materials, OxideHeat for redox materials, no other
-// pairing. Shomate and oxide polynomials are continued beyond their range as heat_curve.hpp says.
+// Laws: OxideHeat for redox materials, the others for inert ones, no other pairing. Shomate and
+// oxide polynomials are continued beyond their range as heat_curve.hpp says.
 #pragma once
 #include "chemistry/heat_curve.hpp"
 #include "pmr/state/materials.hpp"

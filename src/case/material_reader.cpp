@@ -44,6 +44,38 @@ pmr::Table read_rows(Table& law, Want want) {
   return rows;
 }
 
+// sum of c_k T^k between two temperatures, as rows so close that lines between them are within
+// 1e-5 of any smooth law of solids.
+pmr::Table read_polynomial(Table& law, Want want) {
+  constexpr int parts = 400;
+  Want any_sign = want;
+  any_sign.range = any;
+  const std::vector<double> c = law.values("coefficients", any_sign);
+  const double low = law.value("minimum_temperature", a_temperature);
+  const double high = law.value("maximum_temperature", a_temperature);
+  if (high <= low) law.fault("maximum_temperature", "wanted above minimum_temperature");
+  if (c.empty() || !(high > low)) return constant(nan);
+  pmr::Table rows;
+  for (int k = 0; k <= parts; ++k) {
+    const double T = low + (high - low) * k / parts;
+    double value = 0.0;
+    for (std::size_t n = c.size(); n-- > 0;) value = value * T + c[n];
+    rows.x.push_back(T);
+    rows.y.push_back(value);
+    if (!want.range.holds(value)) {
+      law.fault("coefficients", fmt::format("wanted {} to {}; at {:.0f} K they give {:.4g} (SI)",
+                                            want.range.low, want.range.high, T, value));
+      return constant(nan);
+    }
+  }
+  return rows;
+}
+
+// By rows or by a polynomial, as `law` says.
+pmr::Table read_over_temperature(Table& law, const std::string& kind, Want want) {
+  return kind == "polynomial" ? read_polynomial(law, want) : read_rows(law, want);
+}
+
 ConstantHeat read(Table& law, ConstantHeat) {
   return {law.value("heat_capacity", {Dimension::heat_capacity, positive})};
 }
@@ -75,8 +107,21 @@ OxideHeat read(Table& law, OxideHeat) {
           law.value("maximum_temperature", a_temperature)};
 }
 
+HeatLaw read_heat(Table& law) {
+  const std::string kind = law.choice("law", {ConstantHeat::name, Shomate::name, OxideHeat::name,
+                                              TabulatedHeat::name, "polynomial"});
+  if (kind == ConstantHeat::name) return read(law, ConstantHeat{});
+  if (kind == Shomate::name) return read(law, Shomate{});
+  if (kind == OxideHeat::name) return read(law, OxideHeat{});
+  if (!kind.empty())
+    return TabulatedHeat{
+        IntegratedTable(read_over_temperature(law, kind, {Dimension::heat_capacity, positive}))};
+  law.ignore_rest();
+  return ConstantHeat{nan};
+}
+
 Conductivity read_conductivity(Table& law) {
-  const std::string kind = law.choice("law", {"constant", "table", "alumina"});
+  const std::string kind = law.choice("law", {"constant", "table", "polynomial", "alumina"});
   const Want conductivity{Dimension::conductivity, positive};
   if (kind == "alumina")
     return AluminaConductivity{law.value("factor", a_positive_number),
@@ -84,8 +129,8 @@ Conductivity read_conductivity(Table& law) {
                                law.value("c1", {Dimension::line_conductivity, not_negative}),
                                law.value("c2", {Dimension::per_temperature, not_negative}),
                                law.value("c3", {Dimension::temperature_difference, any})};
-  if (kind == "table")
-    return TabulatedConductivity{read_rows(law, conductivity),
+  if (kind == "table" || kind == "polynomial")
+    return TabulatedConductivity{read_over_temperature(law, kind, conductivity),
                                  law.value("gas_share", a_fraction, 0.0),
                                  law.value("half_pressure", {Dimension::pressure, positive}, 1.0)};
   if (kind.empty()) law.ignore_rest();
@@ -97,9 +142,13 @@ pmr::Table read_emissivity(Table& table) {
   const Want emissivity{Dimension::none, {lowest_emissivity, 1.0}};
   const Node* node = table.look("emissivity");
   if (node == nullptr) return constant(nan);
-  if (node->find("temperature") == nullptr) return constant(table.value("emissivity", emissivity));
+  const bool is_polynomial = node->find("coefficients") != nullptr;
+  if (node->find("temperature") == nullptr && !is_polynomial)
+    return constant(table.value("emissivity", emissivity));
   pmr::Table rows = constant(nan);
-  read_law(table, "emissivity", [&](Table& law) { rows = read_rows(law, emissivity); });
+  read_law(table, "emissivity", [&](Table& law) {
+    rows = read_over_temperature(law, is_polynomial ? "polynomial" : "table", emissivity);
+  });
   return rows;
 }
 
@@ -256,7 +305,7 @@ Material read_material(Reading& reading, const Node& node, const std::string& na
     material.density = table.value("density", {Dimension::density, positive}, nan);
     read_elasticity(table, material);
     material.heat = ConstantHeat{nan};
-    read_law(table, "heat", [&](Table& law) { read_named(law, material.heat); });
+    read_law(table, "heat", [&](Table& law) { material.heat = read_heat(law); });
     material.conductivity = TabulatedConductivity{constant(nan)};
     read_law(table, "conductivity",
              [&](Table& law) { material.conductivity = read_conductivity(law); });

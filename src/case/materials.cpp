@@ -6,6 +6,7 @@
 
 #include "case/nearest.hpp"
 #include "case/shipped.hpp"
+#include "chemistry/solids.hpp"
 #include "pmr/base/constants.hpp"
 
 namespace pmr::casefile {
@@ -27,6 +28,7 @@ std::string normalised(const std::string& key) {
 bool lacks(const ConstantHeat& law) { return std::isnan(law.heat_capacity); }
 bool lacks(const Shomate&) { return false; }
 bool lacks(const OxideHeat&) { return false; }
+bool lacks(const TabulatedHeat&) { return false; }
 
 bool lacks_conductivity(const Material& material) {
   const auto* table = std::get_if<TabulatedConductivity>(&material.conductivity);
@@ -130,6 +132,9 @@ void MaterialBook::check(std::uint32_t index, const Models& models) {
   if (std::holds_alternative<OxideHeat>(material.heat) && !material.redox)
     reading_.fault(uses_[index].place, "materials." + material.name + ".redox",
                    "is missing; the heat law 'oxide' counts oxygen");
+  if (material.redox && models.heat() && !chemistry::heat_law_fits(material) && missing.empty())
+    reading_.fault(uses_[index].place, "materials." + material.name + ".heat",
+                   "wanted the law 'oxide', which counts oxygen, in a material with redox");
 }
 
 PairContact MaterialBook::read_contact(const std::string& key) {

@@ -103,6 +103,35 @@ void check_equilibrium_fit(const Species& species, const RedoxEquilibrium& fit, 
         fit.fit_temperature_minimum - zero_celsius, fit.fit_temperature_maximum - zero_celsius));
 }
 
+// Beyond its rows a table over temperature stays constant.
+void check_table(const Case& c, const State& state, std::size_t s, const char* what,
+                 const Table& table, std::vector<std::string>& limits) {
+  if (table.x.size() < 2) return;
+  const auto is_beyond = [&](double T) { return T < table.x.front() || T > table.x.back(); };
+  const auto [outside, count] =
+      part_of(state, s, [&](std::size_t i) { return is_beyond(state.particles.temperature[i]); });
+  const bool begins_outside = is_beyond(c.species[s].initial_temperature);
+  if (!begins_outside && !is_worth_telling(outside, count)) return;
+  limits.push_back(fmt::format(
+      "The {} of {} is given from {:.0f} to {:.0f} degC; {}{}{}: constant beyond.", what,
+      c.species[s].name, table.x.front() - zero_celsius, table.x.back() - zero_celsius,
+      begins_outside ? "its particles begin outside" : "",
+      begins_outside && outside > 0 ? ", " : "",
+      outside > 0 ? per_cent(outside, count) + " of them end outside" : ""));
+}
+
+void check_tables(const Case& c, const State& state, std::vector<std::string>& limits) {
+  for (std::size_t s = 0; s < c.species.size(); ++s) {
+    const Material& m = c.materials.list[c.species[s].material];
+    if (const auto* heat = std::get_if<TabulatedHeat>(&m.heat))
+      check_table(c, state, s, "heat capacity", heat->rows.table, limits);
+    if (const auto* k = std::get_if<TabulatedConductivity>(&m.conductivity);
+        k != nullptr && c.models.conduction)
+      check_table(c, state, s, "conductivity", k->table, limits);
+    if (c.models.radiation) check_table(c, state, s, "emissivity", m.emissivity.table, limits);
+  }
+}
+
 // A delta that froze in above the charge's temperature is a guess; what 50 K of it do to an ideal
 // reactor.
 void check_initial_delta(const Case& c, const State& state, std::vector<std::string>& limits) {
@@ -161,6 +190,7 @@ std::vector<std::string> limits_touched(const Case& c, const State& state) {
   if (has_heat(c) && !c.walls.grains.empty())
     limits.push_back("Grains that adhere to walls take no part in heat, radiation and chemistry.");
   check_rays(c, state, limits);
+  if (has_heat(c)) check_tables(c, state, limits);
   if (c.models.reaction) check_fits(c, state, limits);
   if (c.models.reaction) check_initial_delta(c, state, limits);
   if (has_heat(c)) {

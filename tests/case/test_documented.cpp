@@ -65,6 +65,10 @@ rate = {law = "relaxation"}
 [materials.NAME3]
 heat = {law = "oxide"}
 conductivity = {law = "alumina"}
+[materials.NAME4]
+heat = {law = "polynomial"}
+conductivity = {law = "polynomial"}
+emissivity = {coefficients = 1}
 [materials.NAME3.redox]
 equilibrium = {}
 rate = {law = "vacancies"}

@@ -46,6 +46,37 @@ TEST_CASE("the shipped figures arrive in SI") {
   CHECK(left * board.table(873.15) == Approx(0.14).epsilon(0.01));
 }
 
+TEST_CASE("solids are given over temperature by rows or by a polynomial") {
+  // Graphite of a pebble bed (De Beer 2014): k at 800 K 91.6 W/m/K by hand.
+  const Case made = load(
+      small_case,
+      {"materials.Al2O3.heat={law=\"polynomial\", coefficients=\"600 0.5 J/kg/K\", "
+       "minimum_temperature=\"300 K\", maximum_temperature=\"1500 K\"}",
+       "materials.Al2O3.conductivity={law=\"polynomial\", coefficients=\"230.01 -0.3179 1.403e-4 "
+       "6.566e-8 -7.255e-11 1.595e-14 W/m/K\", minimum_temperature=\"300 K\", "
+       "maximum_temperature=\"1300 K\"}",
+       "materials.Al2O3.emissivity={coefficients=[0.9, -2e-4], minimum_temperature=\"300 K\", "
+       "maximum_temperature=\"1300 K\"}"});
+  const Material& alumina = material(made, "Al2O3");
+  const auto& heat = std::get<TabulatedHeat>(alumina.heat).rows;
+  CHECK(heat.table(1000.0) == Approx(1100.0).epsilon(1e-12));
+  CHECK(heat.integral(1000.0) - heat.integral(500.0) == Approx(975.0 * 500.0).epsilon(1e-12));
+  const auto& k = std::get<TabulatedConductivity>(alumina.conductivity).table;
+  const double T = 800.0;
+  const double by_hand = 230.01 - 0.3179 * T + 1.403e-4 * T * T + 6.566e-8 * T * T * T -
+                         7.255e-11 * std::pow(T, 4) + 1.595e-14 * std::pow(T, 5);
+  CHECK(k(T) == Approx(by_hand).epsilon(1e-5));
+  CHECK(k(2000.0) == k(1300.0));
+  CHECK(alumina.emissivity(1000.0, 0.0) == Approx(0.7).epsilon(1e-12));
+
+  CHECK_THROWS_WITH(load(small_case, {"materials.Al2O3.emissivity={coefficients=[0.9, -2e-3], "
+                                      "minimum_temperature=\"300 K\", "
+                                      "maximum_temperature=\"1300 K\"}"}),
+                    Contains("coefficients") && Contains("at 450 K they give"));
+  CHECK_THROWS_WITH(load(small_case, {"materials.Al2O3.heat={law=\"tabel\"}"}),
+                    Contains("did you mean 'table'"));
+}
+
 TEST_CASE("a case overrides single figures of a shipped material") {
   const Case made = load(small_case + "[materials.Al2O3]\ndensity = \"3000 kg/m3\"\n",
                          {"materials.Al2O3.heat={law=\"constant\", heat_capacity=\"900 J/kg/K\"}"});

@@ -12,8 +12,13 @@ using namespace pmr;
 using namespace pmr::chemistry;
 
 namespace {
+Material tabulated() {
+  Material material = verify::reference_alumina();
+  material.heat = TabulatedHeat{IntegratedTable({{200.0, 400.0, 1000.0}, {600.0, 900.0, 1200.0}})};
+  return material;
+}
 const std::vector<Material> solids{verify::reference_alumina(), verify::reference_ferrite(),
-                                   verify::reference_fibre_board()};
+                                   verify::reference_fibre_board(), tabulated()};
 }  // namespace
 
 TEST_CASE("temperature inverts enthalpy to rounding, from any guess") {
@@ -57,6 +62,17 @@ TEST_CASE("heat capacity and its slope have no step at the ends of a fit") {
       const double below = c(end) - c(end - 0.1), above = c(end + 0.1) - c(end);
       CHECK(std::abs(above - below) < 1e-5 * c(end));
     }
+}
+
+TEST_CASE("a tabulated heat capacity holds the trapezia between its rows") {
+  const Material material = tabulated();  // 750 J/kg/K at 300 K
+  CHECK(specific_enthalpy(material, 400.0) - specific_enthalpy(material, 300.0) ==
+        Approx(825.0 * 100.0).epsilon(1e-14));
+  CHECK(specific_enthalpy(material, 1500.0) - specific_enthalpy(material, 400.0) ==
+        Approx(1050.0 * 600.0 + 1200.0 * 500.0).epsilon(1e-14));
+  CHECK(specific_enthalpy(material, 200.0) - specific_enthalpy(material, 160.0) ==
+        Approx(600.0 * 40.0).epsilon(1e-13));
+  CHECK(specific_enthalpy(material, 298.15) == 0.0);
 }
 
 TEST_CASE("enthalpy vanishes at 298.15 K but for what delta holds") {

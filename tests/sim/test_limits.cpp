@@ -129,6 +129,16 @@ TEST_CASE("The temperatures of a rate's fit are told apart from those of the equ
   }
 }
 
+TEST_CASE("Tables over temperature say where particles began or ended beyond them") {
+  const std::string rows = "materials.Al2O3.conductivity={law=\"table\", value=\"6 7 W/m/K\", ";
+  const Tiny within({rows + "temperature=\"100 1200 degC\"}"});
+  CHECK_THAT(within.told(), !Contains("conductivity of Al2O3"));
+  const Tiny beyond({rows + "temperature=\"100 1000 degC\"}"});
+  CHECK_THAT(beyond.told(),
+             Contains("The conductivity of Al2O3 is given from 100 to 1000 degC; its "
+                      "particles begin outside, 100 % of them end outside"));
+}
+
 TEST_CASE("An initial delta that is frozen in above the charge is told with what 50 K of it do") {
   CHECK_THAT(Tiny().told(), !Contains("is a guess"));
   const Tiny tiny({"species.SrFeO3.delta.equilibrium_at=\"800 degC\""});

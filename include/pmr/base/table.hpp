@@ -1,6 +1,7 @@
 // Piecewise linear function of one variable, constant beyond its ends.
 #pragma once
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace pmr {
@@ -20,5 +21,22 @@ struct Table {
 };
 
 inline Table constant(double value) { return {{0.0}, {value}}; }
+
+// A table with its exact integral from its first x on.
+struct IntegratedTable {
+  Table table;
+  std::vector<double> sums;  // to each x
+
+  explicit IntegratedTable(Table rows) : table(std::move(rows)), sums(table.x.size(), 0.0) {
+    for (std::size_t k = 1; k < sums.size(); ++k)
+      sums[k] = sums[k - 1] + 0.5 * (table.y[k - 1] + table.y[k]) * (table.x[k] - table.x[k - 1]);
+  }
+  double integral(double to) const {
+    const auto upper = std::upper_bound(table.x.begin(), table.x.end(), to);
+    if (upper == table.x.begin()) return table.y.front() * (to - table.x.front());
+    const auto k = static_cast<std::size_t>(upper - table.x.begin()) - 1;
+    return sums[k] + 0.5 * (table.y[k] + table(to)) * (to - table.x[k]);
+  }
+};
 
 }  // namespace pmr

@@ -45,7 +45,12 @@ struct OxideHeat {
   double a, b, c, d;
   double minimum_temperature, maximum_temperature;  // [K] range in which it is used as it stands
 };
-using HeatLaw = std::variant<ConstantHeat, Shomate, OxideHeat>;
+// Table over T, linear between rows, constant beyond; of an inert material.
+struct TabulatedHeat {
+  static constexpr const char* name = "table";
+  IntegratedTable rows;  // [K] -> [J/kg/K]
+};
+using HeatLaw = std::variant<ConstantHeat, Shomate, OxideHeat, TabulatedHeat>;
 
 // --- Conductivity laws, k in W/m/K.
 // factor (c0 + c1 exp(-c2 T)/(T + c3)), T in degC: Munro (1997) for dense alumina.
