@@ -24,8 +24,9 @@ double slope(const F& f, double x, double h) {
 
 TEST_CASE("the slopes of ln p are those of its differences") {
   for (const RedoxEquilibrium& eq : both)
-    for (const auto& [delta, T] : std::vector<std::pair<double, double>>{
+    for (const auto& place : std::vector<std::pair<double, double>>{
              {0.05, 400.0}, {0.25, 700.0}, {0.295, 1300.0}, {0.33, 700.0}, {0.47, 1300.0}}) {
+      const double delta = place.first, T = place.second;
       const double by_delta =
           slope([&](double d) { return ln_equilibrium_pressure(eq, T, d); }, delta, 1e-6);
       const double by_T =
