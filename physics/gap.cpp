@@ -39,9 +39,9 @@ Rule gauss_legendre() {
 
 // The lens of one pair; 1 is the smaller sphere, and 2 may be a plane wall.
 struct Lens {
-  double R1, R2, d;  // [m]
-  double r_sf;       // [m] of the rim
-  double nearest;    // [m] of the surfaces, with the jump
+  double R1, R2;   // [m]
+  double r_sf;     // [m] of the rim
+  double nearest;  // [m] of the surfaces, with the jump
   bool faces_wall;
   double log_t1 = std::log(r_sf / R1), log_t2 = faces_wall ? 0.0 : std::log(r_sf / R2);
 
@@ -51,9 +51,10 @@ struct Lens {
     if (!faces_wall) h += R2 - (R2 * R2 - r2).sqrt();
     return h;
   }
-  double gap_at_rim() const {
-    const double fall1 = R1 - std::sqrt(R1 * R1 - r_sf * r_sf);
-    return nearest + fall1 + (faces_wall ? 0.0 : R2 - std::sqrt(R2 * R2 - r_sf * r_sf));
+  // How much wider it is at the rim than on the axis [m].
+  double rise_to_rim() const {
+    const double own = R1 - std::sqrt(R1 * R1 - r_sf * r_sf);
+    return faces_wall ? own : own + R2 - std::sqrt(R2 * R2 - r_sf * r_sf);
   }
   // Sum over the solids of a function of their radius and ln(r_sf/R), over their conductivity.
   template <class F>
@@ -76,7 +77,7 @@ Lens lens_of(const GapPair& pair, double jump) {
   const bool faces_wall = std::isinf(R2);
   const double D1 = faces_wall ? d : (R1 * R1 - R2 * R2 + d * d) / (2.0 * d);
   const double touching = faces_wall ? R1 : R1 + R2;
-  return {R1,        R2, d, rim(R1, cell_radius(R1, pair.solid_fraction), D1), d - touching + jump,
+  return {R1, R2, rim(R1, cell_radius(R1, pair.solid_fraction), D1), d - touching + jump,
           faces_wall};
 }
 
@@ -135,8 +136,7 @@ LensFlux flux_through(const Lens& lens, double contact_radius, const std::array<
   const Row q = pi * (high - low) * rule.weight * wide * per_gap;  // with 2 pi r dr
   const double Q = q.sum();
   const double gas = (q * h * per_gap).sum() / (Q * Q);
-  const double at_rim = lens.gap_at_rim() - lens.nearest;
-  const Spreading spreading(std::sqrt((lens.nearest + s) / at_rim));
+  const Spreading spreading(std::sqrt((lens.nearest + s) / lens.rise_to_rim()));
   const double spread =
       lens.over(per_k, [&](double R, double log_t) { return spreading(lens.r_sf / R, log_t); });
   if (contact_radius <= 0.0) return {gas + spread / lens.r_sf, 0.0};
@@ -176,8 +176,8 @@ double wall_lens_radius(double radius, double distance, double solid_fraction) {
   return rim(radius, cell_radius(radius, solid_fraction), distance);
 }
 
-double gap_fade(double gap, double middle) {
-  const double u = std::clamp(gap_end - gap / middle, 0.0, 1.0);
+double gap_fade(double gap, double begin, double end) {
+  const double u = std::clamp((end - gap) / (end - begin), 0.0, 1.0);
   return u * u * (3.0 - 2.0 * u);
 }
 

@@ -41,14 +41,13 @@ struct PairConductance {
 // just touching, R1 + R2 (to a wall: R1), the true overlap being below 1e-3 of that of the model.
 double true_distance(double radius_1, double radius_2, double soft_distance);  // [m]
 
-// Share [1] of the conductance that is left across a gap: all up to half of `middle`, half there,
-// none from one and a half times. The law knows nothing of the neighbours that a farther one is
-// seen past; so it ends smoothly, where a bed's nearest neighbours do.
-double gap_fade(double gap, double middle);
-inline constexpr double gap_end = 1.5;  // [1] of `middle`: where nothing is left
-
-// Gaps to walls fade about this width [1] of the sphere's radius: at 3 R the law is 0.028 k_f R.
-inline constexpr double wall_gap_fade = 2.0;
+// Share [1] of the conductance that is left across a gap: all up to `begin`, none from `end` on,
+// and smooth between. The law knows nothing of the neighbours that a farther one is seen past; so
+// it ends where a bed's nearest neighbours do: between these parts [1] of the case's `gap_reach`,
+// and to walls [of the radius] where the law has come down to 0.07 and 0.028 k_f R.
+double gap_fade(double gap, double begin, double end);
+inline constexpr double pair_fade_begin = 0.5, pair_fade_end = 1.5;
+inline constexpr double wall_fade_begin = 2.0, wall_fade_end = 3.0;
 
 // r_sf [m] of a sphere whose centre is `distance` [m] from a wall.
 double wall_lens_radius(double radius, double distance, double solid_fraction);

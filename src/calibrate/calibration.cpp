@@ -13,8 +13,22 @@
 namespace pmr::calibrate {
 namespace {
 
+// Whether something derived changes with a parameter that is still a guess.
+bool rests_on_guesses(const Lab& lab, const Derived& d, const Calibration& c) {
+  for (const Stage& stage : lab.stages)
+    for (const Parameter& p : stage.parameters) {
+      const auto& found = c.found.parameters;
+      if (std::find(found.begin(), found.end(), &p) != found.end()) continue;
+      study::Values other = c.values;
+      other[p.name] = p.guess == p.box.low ? p.box.high : p.box.low;
+      if (completed(lab, other).at(d.name) != c.values.at(d.name)) return true;
+    }
+  return false;
+}
+
 // By the slopes of its formula at the parameters found.
 DerivedFound derived_found(const Lab& lab, const Derived& d, const Calibration& c) {
+  if (rests_on_guesses(lab, d, c)) return {nan, nan};
   constexpr double part = 0.05;  // [1] of a deviation
   const std::size_t n = c.found.parameters.size();
   std::vector<double> slopes(n, 0.0);

@@ -11,7 +11,7 @@
 namespace pmr::calibrate {
 
 struct DerivedFound {
-  double value, deviation;  // in its unit
+  double value, deviation;  // in its unit; NaN where a parameter that it rests on was not found
 };
 
 // What the tests give at the parameters found, one value a seed [target's unit].

@@ -152,7 +152,8 @@ Value found_json(const Lab& lab, const Calibration& c) {
   }
   for (std::size_t k = 0; k < lab.derived.size(); ++k) {
     const Derived& d = lab.derived[k];
-    add(d.name, d.key, d.unit, c.derived[k].value, c.derived[k].deviation, d.reference);
+    if (std::isfinite(c.derived[k].value))
+      add(d.name, d.key, d.unit, c.derived[k].value, c.derived[k].deviation, d.reference);
   }
   return Value(std::move(all));
 }
@@ -183,7 +184,7 @@ void write_parameters(const Lab& lab, const Calibration& c, const std::string& v
     rows.push_back(list(row));
   }
   for (std::size_t k = 0; k < lab.derived.size(); ++k)
-    if (const Derived& d = lab.derived[k]; !d.key.empty())
+    if (const Derived& d = lab.derived[k]; !d.key.empty() && std::isfinite(c.derived[k].value))
       set(assignment(d.key, d.unit, c.derived[k].value, c.derived[k].deviation,
                      source + "; " + d.formula));
   set("calibration.lab = " + quoted(lab.title));

@@ -52,10 +52,12 @@ std::string found_table(const Findings& f) {
       ++k;
     }
   }
-  for (std::size_t d = 0; d < f.found.derived.size(); ++d)
+  for (std::size_t d = 0; d < f.found.derived.size(); ++d) {
+    if (!std::isfinite(f.found.derived[d].value)) continue;
     rows.push_back(found_row(f.lab.derived[d].label, f.lab.derived[d].unit,
                              f.found.derived[d].value, f.found.derived[d].deviation,
                              f.lab.derived[d].reference, "derived"));
+  }
   if (rows.empty()) return report::absent("Nothing was found.");
   return scrolled({"parameter", "found", "standard deviation", "95 %, if normal", "reference",
                    "off by, in deviations", "stage"},

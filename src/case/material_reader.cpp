@@ -63,8 +63,8 @@ pmr::Table read_polynomial(Table& law, Want want) {
     rows.x.push_back(T);
     rows.y.push_back(value);
     if (!want.range.holds(value)) {
-      law.fault("coefficients", fmt::format("wanted {} to {}; at {:.0f} K they give {:.4g} (SI)",
-                                            want.range.low, want.range.high, T, value));
+      law.fault("coefficients",
+                fmt::format("at {:.0f} K they give {:.4g} (SI), which is out of range", T, value));
       return constant(nan);
     }
   }
@@ -191,7 +191,8 @@ void read_fit(Table& law, RedoxEquilibrium& e) {
   e.fit_pressure_maximum = law.value("fit_pressure_maximum", a_pressure);
 }
 
-// Both laws may stand in a material, each in a table of its name; "law" says which one counts.
+// Both laws may stand in a material, each in a table of its name; "enthalpy" says which counts.
+// (A table with a "law" would be replaced as a whole where a case sets that alone.)
 RedoxEquilibrium read_equilibrium(Table& redox) {
   RedoxEquilibrium e{};
   const Node* node = redox.look_table("equilibrium");
@@ -200,7 +201,7 @@ RedoxEquilibrium read_equilibrium(Table& redox) {
   for (const char* key : {ArctanEnthalpy::name, PolynomialEnthalpy::name}) table.look(key);
   e.delta_limit = table.value("delta_limit", {Dimension::none, {0.0, 3.0, false, false}}, 0.5);
   const std::size_t before = redox.reading().faults();
-  const bool is_named = choose_law(table, "law", e.enthalpy, [&](auto named) {
+  const bool is_named = choose_law(table, "enthalpy", e.enthalpy, [&](auto named) {
     table.need_table(named.name);
     read_law(table, named.name, [&](Table& law) {
       read(law, named, e);
@@ -210,7 +211,7 @@ RedoxEquilibrium read_equilibrium(Table& redox) {
   if (!is_named)
     table.ignore_rest();
   else if (redox.reading().faults() == before && !chemistry::is_stable(e, chemistry::enthalpy_zero))
-    table.fault("law", "its pressure does not fall all the way as delta rises at 25 degC");
+    table.fault("enthalpy", "its pressure does not fall all the way as delta rises at 25 degC");
   return e;
 }
 

@@ -128,6 +128,10 @@ void MaterialBook::check(std::uint32_t index, const Models& models) {
   if (!missing.empty())
     reading_.fault(uses_[index].place, "materials." + material.name + "." + missing,
                    "is missing; this use of the material wants it");
+  if ((uses_[index].roles & static_cast<unsigned>(Role::lining)) != 0 &&
+      !std::holds_alternative<ConstantHeat>(material.heat))
+    reading_.fault(uses_[index].place, "materials." + material.name + ".heat",
+                   "wanted the law 'constant' of a material of linings");
   if ((uses_[index].roles & static_cast<unsigned>(Role::particle)) == 0) return;
   if (std::holds_alternative<OxideHeat>(material.heat) && !material.redox)
     reading_.fault(uses_[index].place, "materials." + material.name + ".redox",

@@ -34,7 +34,7 @@ void find_at_walls(const Case& c, const Nodes& nodes, const State& state,
   const Particles& p = state.particles;
   const ConductionModel& model = *c.models.conduction;
   const double radius = p.radius[i], close = model.gap ? model.gap_reach : 0.0;
-  const double reach = model.gap ? physics::gap_end * physics::wall_gap_fade : 0.0;
+  const double reach = model.gap ? physics::wall_fade_end : 0.0;
   for (const auto& foot : walls.near(p.position[i], radius, radius * (1.0 + reach))) {
     const Surface& surface = c.walls.surfaces[foot.surface];
     if (std::holds_alternative<Adiabatic>(surface.thermal)) continue;
@@ -71,7 +71,7 @@ Gaps find_gaps(const Case& c, const Nodes& nodes, const State& state) {
   if (!c.models.conduction) return gaps;
   const Particles& p = state.particles;
   const double reach =
-      c.models.conduction->gap ? physics::gap_end * c.models.conduction->gap_reach : 0.0;
+      c.models.conduction->gap ? physics::pair_fade_end * c.models.conduction->gap_reach : 0.0;
   find_between_particles(nodes, p, reach, gaps.all);
   const physics::WallFeet walls(c.walls, state.time);
   std::vector<std::vector<WallGap>> found(p.size());

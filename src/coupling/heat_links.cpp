@@ -83,15 +83,26 @@ double accommodation_factor(const Side& side) {
   return (2.0 - alpha) / alpha;
 }
 
-// The contact as other codes have it, to compare with: as though there were no gas beside it.
-std::optional<double> contact_of_other_codes(const ConductionModel& model, double k1, double k2,
-                                             double reduced_radius, double overlap, double radius) {
+// A contact as though there were no gas beside it: none at all where contacts are off, or, to
+// compare with, as other codes have it. No value: it is to be taken together with the gas.
+std::optional<double> contact_alone(const ConductionModel& model, double k1, double k2,
+                                    double reduced_radius, double overlap, double radius) {
+  if (!model.contact) return 0.0;
   const bool is_liggghts = model.contact_law == ContactConduction::liggghts;
   const bool is_soft = model.contact_area == ContactArea::of_soft_contact;
   if (!is_liggghts && !is_soft) return std::nullopt;
   return (is_liggghts ? physics::liggghts_contact_factor : 1.0) *
          physics::contact_conductance(
              k1, k2, is_soft ? physics::contact_radius(reduced_radius, overlap, 1.0) : radius);
+}
+
+// Of the conductance across a gap [1].
+double fade_of(const ConductionModel& model, double gap, double radius, bool to_wall) {
+  if (gap <= 0.0) return 1.0;
+  if (to_wall)
+    return physics::gap_fade(gap / radius, physics::wall_fade_begin, physics::wall_fade_end);
+  return physics::gap_fade(gap / radius, physics::pair_fade_begin * model.gap_reach,
+                           physics::pair_fade_end * model.gap_reach);
 }
 
 // Conductances of a pair whose surfaces are `gap` [m] apart (negative: the soft overlap).
@@ -115,14 +126,9 @@ HeatLink link(const Context& context, const Surroundings& around, const Side& on
     medium.conductivity_gas = between.conductivity;
     medium.jump = between.jump * (accommodation_factor(one) + accommodation_factor(two));
   }
-  const double fade =
-      gap > 0.0 ? physics::gap_fade(gap / std::min(one.radius, two.radius),
-                                    to_wall ? physics::wall_gap_fade : context.model.gap_reach)
-                : 1.0;
-  if (!context.model.contact)
-    return {0, 0, 0.0, has_gas ? fade * physics::gap_conductance(pair, medium) : 0.0};
-  if (const auto others = contact_of_other_codes(context.model, k1, k2, reduced, -gap, radius))
-    return {0, 0, *others, has_gas ? fade * physics::gap_conductance(pair, medium) : 0.0};
+  const double fade = fade_of(context.model, gap, std::min(one.radius, two.radius), to_wall);
+  const auto contact = contact_alone(context.model, k1, k2, reduced, -gap, radius);
+  if (contact) return {0, 0, *contact, has_gas ? fade * physics::gap_conductance(pair, medium) : 0};
   if (!has_gas) return {0, 0, physics::spot_conductance(pair, medium), 0.0};
   const auto both = physics::pair_conductance(pair, medium);
   return {0, 0, both.contact, fade * both.gas};

@@ -161,10 +161,14 @@ std::string band_charts(const Findings& f, report::Charts& charts) {
 report::Section ranking_part(const Findings& f, report::Charts& charts) {
   std::string ranking;
   for (std::size_t r = 0; r < f.study.responses.size(); ++r) ranking += ranking_chart(f, charts, r);
+  const std::string drawn = f.study.correlated.empty()
+                                ? "nothing says that one value is likelier than another."
+                                : "those that are correlated are normal, so that values near their "
+                                  "means are likelier, and "
+                                  "share what they have in common.";
   const std::string how =
-      "All inputs below were varied together over their ranges; nothing says that one value is "
-      "likelier than another. Bars tell by how many standard deviations of rank a response moves "
-      "with one of the input.";
+      "All inputs below were varied together over their ranges; " + drawn +
+      " Bars tell by how many standard deviations of rank a response moves with one of the input.";
   return {"uncertainty", "What the inputs do",
           element("h3", "Spread of the responses") + spread_table(f) + band_charts(f, charts) +
               element("h3", "What it comes from") + element("p", how, "class=\"caption\"") +

@@ -53,14 +53,14 @@ heat = {law = "constant"}
 conductivity = {law = "constant"}
 emissivity = {temperature = "300 K"}
 [materials.NAME.redox]
-equilibrium = {law = "arctan", arctan = {}}
+equilibrium = {enthalpy = "arctan", arctan = {}}
 rate = {law = "power", oxidation_energy = "1 J/mol"}
 pores = {}
 [materials.NAME2]
 heat = {law = "shomate"}
 conductivity = {law = "table"}
 [materials.NAME2.redox]
-equilibrium = {law = "polynomial", polynomial = {}}
+equilibrium = {enthalpy = "polynomial", polynomial = {}}
 rate = {law = "relaxation"}
 [materials.NAME3]
 heat = {law = "oxide"}

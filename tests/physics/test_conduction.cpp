@@ -115,17 +115,21 @@ TEST_CASE("spot and lens carry less than both alone, for they heat the same soli
         Approx(contact_conductance(90.0, 20.0, 0.004)).epsilon(0.01));
 }
 
-TEST_CASE("a gap's conductance fades smoothly about its middle") {
-  CHECK(gap_fade(0.25, 0.5) == 1.0);
-  CHECK(gap_fade(0.5, 0.5) == 0.5);
-  CHECK(gap_fade(0.75, 0.5) == 0.0);
-  CHECK(gap_fade(0.1, 0.0) == 0.0);
+TEST_CASE("a gap's conductance fades smoothly to nothing") {
+  CHECK(gap_fade(0.25, 0.25, 0.75) == 1.0);
+  CHECK(gap_fade(0.5, 0.25, 0.75) == 0.5);
+  CHECK(gap_fade(0.75, 0.25, 0.75) == 0.0);
+  CHECK(gap_fade(0.1, 0.0, 0.0) == 0.0);
   double before = 1.0;
   for (double gap = 0.0; gap < 1.0; gap += 1e-3) {
-    const double now = gap_fade(gap, 0.5);
+    const double now = gap_fade(gap, 0.25, 0.75);
     REQUIRE((now <= before && before - now < 4e-3));
     before = now;
   }
+  // To walls only where the law has come down to half a hundredth of its value at touch anyway.
+  const GapMedium alumina{100.0, 1.0, 1.0, 1e-3};
+  const GapPair at{1.0, plane_wall, 1.0, 0.0, 0.6}, far{1.0, plane_wall, 3.0, 0.0, 0.6};
+  CHECK(gap_conductance(far, alumina) < 5e-3 * gap_conductance(at, alumina));
 }
 
 TEST_CASE("a gap conducts alike from either side") {
