@@ -89,8 +89,12 @@ std::vector<Thermocouple> read_thermocouples(Table& root) {
   std::vector<Thermocouple> all;
   for_each_table(
       root, root.moves_nothing("thermocouples"), [&](Table& table, const std::string& name) {
-        all.push_back(
-            {name, table.vector("position", Dimension::length), table.value("radius", a_length)});
+        Thermocouple probe{name, table.vector("position", Dimension::length),
+                           table.value("radius", a_length)};
+        probe.is_plane =
+            table.has("reading") && table.choice("reading", {"mean", "plane"}) == "plane";
+        table.look("reading");
+        all.push_back(probe);
       });
   return all;
 }

@@ -28,6 +28,7 @@ struct Parser {
   RenderOptions render_options;
   SweepOptions sweep_options;
   CalibrateOptions calibrate_options;
+  ValidateOptions validate_options;
   std::vector<std::filesystem::path> folders;
   std::filesystem::path html;
   report::ReportWishes wishes;
@@ -42,6 +43,7 @@ struct Parser {
     add_looks();
     add_sweep();
     add_calibrate();
+    add_validate();
   }
 
   void add_run() {
@@ -156,6 +158,25 @@ struct Parser {
       action = [this] {
         calibrate_options.lab_file = find_lab(calibrate_options.lab_file);
         return calibrate(calibrate_options);
+      };
+    });
+  }
+
+  void add_validate() {
+    auto* verb = app.add_subcommand("validate", "experiments that others made, run and compared");
+    verb->add_option("NAME", validate_options.experiments,
+                     "experiment files (TOML), or names of shipped ones [all shipped]");
+    verb->add_option("-o,--output", validate_options.folder, "folder [out/validation]");
+    verb->add_option("--set", validate_options.sets,
+                     "key=value: a constant of the experiments, or a key of every case; repeatable")
+        ->expected(1)
+        ->take_all();
+    add_jobs(verb, validate_options.jobs);
+    verb->add_flag("--plan", validate_options.only_plan, "only say what would be done");
+    verb->callback([this] {
+      action = [this] {
+        validate_options.experiments = find_experiments(validate_options.experiments);
+        return validate(validate_options);
       };
     });
   }

@@ -61,4 +61,13 @@ fs::path find_lab(const fs::path& named) {
   return find(named, shipped_folder() / "calibration", "lab");
 }
 
+std::vector<fs::path> find_experiments(const std::vector<fs::path>& named) {
+  const fs::path folder = shipped_folder() / "validation";
+  std::vector<fs::path> found;
+  for (const fs::path& one : named) found.push_back(find(one, folder, "experiment"));
+  if (named.empty())
+    for (const std::string& name : names_in(folder)) found.push_back(folder / (name + ".toml"));
+  return found;
+}
+
 }  // namespace pmr::cli

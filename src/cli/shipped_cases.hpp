@@ -1,6 +1,7 @@
-// Cases, studies and labs that come with the program, found by name from any folder.
+// Cases, studies, labs and experiments that come with the program, found by name from any folder.
 #pragma once
 #include <filesystem>
+#include <vector>
 
 namespace pmr::cli {
 
@@ -9,5 +10,8 @@ namespace pmr::cli {
 std::filesystem::path find_case(const std::filesystem::path& named);
 std::filesystem::path find_study(const std::filesystem::path& named);
 std::filesystem::path find_lab(const std::filesystem::path& named);
+// All shipped experiments where none is named.
+std::vector<std::filesystem::path> find_experiments(
+    const std::vector<std::filesystem::path>& named);
 
 }  // namespace pmr::cli

@@ -64,4 +64,13 @@ struct CalibrateOptions {
 };
 int calibrate(const CalibrateOptions& options);
 
+struct ValidateOptions {
+  std::vector<std::filesystem::path> experiments;
+  std::filesystem::path folder;   // empty: out/validation
+  std::vector<std::string> sets;  // key=value of the experiments' constants or of every case
+  JobOptions jobs;
+  bool only_plan = false;  // says what would be done, and does nothing
+};
+int validate(const ValidateOptions& options);
+
 }  // namespace pmr::cli

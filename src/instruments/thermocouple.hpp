@@ -1,4 +1,6 @@
-// A thermocouple in the bed reads the mean temperature of the particles round its tip.
+// A thermocouple in the bed reads the particles round its tip: their mean temperature, or what a
+// plane through their temperatures has at the tip (with at least eight of them), which does not
+// mind where in a steep gradient they happen to lie.
 #pragma once
 #include <cstddef>
 
@@ -8,7 +10,7 @@
 namespace pmr::instruments {
 
 struct ThermocoupleReading {
-  double temperature;     // [K] mean over the particles; NaN only if there is no particle at all
+  double temperature;     // [K] NaN only if there is no particle at all
   std::size_t particles;  // [1] centres within the radius; 0: the nearest particle's temperature
   double nearest;         // [m] distance of the nearest centre, infinite without particles
 };

@@ -39,6 +39,16 @@ std::optional<Peak> peak_of(const Series& series, const std::string& name) {
   return peak;
 }
 
+double at_time(const Series& series, const std::string& name, double t) {
+  const std::vector<double>&time = series.values("time"), &values = series.values(name);
+  const auto after = std::lower_bound(time.begin(), time.end(), t);
+  if (after == time.end() || (after == time.begin() && *after > t)) return std::nan("");
+  const auto k = static_cast<std::size_t>(after - time.begin());
+  if (k == 0 || time[k] == t) return values[k];
+  const double part = (t - time[k - 1]) / (time[k] - time[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
+
 void write_csv(const std::filesystem::path& path, const Series& series) {
   std::string text;
   for (std::size_t c = 0; c < series.columns.size(); ++c)

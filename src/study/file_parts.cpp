@@ -18,14 +18,6 @@ using casefile::Table;
 
 constexpr int deepest = 8;  // files that lie on one another
 
-bool is_name(const std::string& word) {
-  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  return !word.empty() && letter(word.front()) &&
-         std::all_of(word.begin(), word.end(), [&](char c) {
-           return letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
-         });
-}
-
 std::string asked_text(const fs::path& file, const std::string& noun) {
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file))
@@ -53,6 +45,14 @@ void keep_places(Node& over, const Node& base) {
 }
 
 }  // namespace
+
+bool is_name(const std::string& word) {
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return !word.empty() && letter(word.front()) &&
+         std::all_of(word.begin(), word.end(), [&](char c) {
+           return letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
+         });
+}
 
 std::vector<std::pair<std::string, const Node*>> in_order(const Node* table) {
   std::vector<std::pair<std::string, const Node*>> all;

@@ -33,7 +33,9 @@ void for_each_in_order(casefile::Table& parent, const std::string& key, const Re
 
 std::vector<Setting> read_settings(casefile::Table& table, const std::string& key = "settings");
 
-// A fault where the name of the table cannot stand in an expression.
+// Whether a word can stand in an expression.
+bool is_name(const std::string& word);
+// A fault where the name of the table cannot.
 void check_name(casefile::Table& table, const std::string& name);
 
 std::map<std::string, double> read_constants(casefile::Table& root);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/run_file.hpp"
+#include "io/series.hpp"
 #include "report/colour_map.hpp"
 #include "report/text.hpp"
 #include "statistics/band.hpp"
@@ -84,17 +84,6 @@ std::string ranking_chart(const Findings& f, report::Charts& charts, std::size_t
                   ranking.r2 < 0.7 ? " That is little: do not trust the order." : ""));
 }
 
-// Value at time t of a column, straight between rows; NaN outside.
-double at_time(const io::Series& series, const std::vector<double>& column, double t) {
-  const auto& time = series.values("time");
-  const auto after = std::lower_bound(time.begin(), time.end(), t);
-  if (after == time.end() || (after == time.begin() && *after > t)) return std::nan("");
-  const auto k = static_cast<std::size_t>(after - time.begin());
-  if (k == 0 || time[k] == t) return column[k];
-  const double part = (t - time[k - 1]) / (time[k] - time[k - 1]);
-  return column[k - 1] + part * (column[k] - column[k - 1]);
-}
-
 constexpr std::size_t moments = 160;
 
 // Even steps of the logarithm from the first common second to the end of the shortest run.
@@ -117,7 +106,7 @@ std::string band_chart(report::Charts& charts, const Band& band, const std::vect
   for (const double t : times) {
     std::vector<double> values;
     for (const io::Series& s : all)
-      if (s.has(band.column)) values.push_back(at_time(s, s.values(band.column), t));
+      if (s.has(band.column)) values.push_back(io::at_time(s, band.column, t));
     const auto spread = statistics::band(values);
     low.push_back(band.factor * spread.p5 + band.offset);
     middle.push_back(band.factor * spread.p50 + band.offset);

@@ -44,10 +44,13 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"src/calibrate",
      {"include/pmr/base", "include/pmr/state", "src/io", "src/case", "src/report", "src/statistics",
       "src/study"}},
+    {"src/validate",
+     {"include/pmr/base", "include/pmr/state", "src/io", "src/case", "src/report", "src/statistics",
+      "src/study"}},
     {"src/cli",
      {"include/pmr/base", "include/pmr/state", "physics", "radiation", "chemistry", "src/io",
       "src/case", "src/coupling", "src/instruments", "src/sim", "src/verify", "src/report",
-      "src/study", "src/calibrate"}},
+      "src/study", "src/calibrate", "src/validate"}},
 };
 
 // Foreign headers and the files, rarely more than one, that may include each.

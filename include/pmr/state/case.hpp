@@ -204,7 +204,9 @@ struct Decomposition {
 struct Thermocouple {
   std::string name;
   Vec3 position;  // [m]
-  double radius;  // [m] averages over particles whose centres are within
+  double radius;  // [m] reads the particles whose centres are within
+  bool is_plane =
+      false;  // what a plane through their temperatures has at the position, not the mean
 };
 // Hot and cold plate over a bed at rest, all other walls insulated: effective conductivity.
 struct ConductivityInstrument {

@@ -37,6 +37,7 @@ pmr.all_values = function (spec, key) {
   spec.series.forEach(function (s) {
     (s.points || []).forEach(function (p) {
       take(p[key]);
+      if (key === "y") [p.low, p.high].forEach(take);
     });
     var curve = s.curve || {};
     (curve[key] || []).forEach(take);
@@ -85,6 +86,11 @@ pmr.scatter_axes = function (svg, x, y, size, spec) {
     .text(spec.x.levels ? spec.x.label : pmr.axis_title(spec.x.label, spec.x.unit));
 };
 
+pmr.error_bar = function (x, low, high) {
+  var left = "M" + (x - 3) + ",";
+  return left + low + "h6M" + x + "," + low + "V" + high + left + high + "h6";
+};
+
 pmr.draw_scatter_series = function (svg, s, x, y) {
   var curve = s.curve;
   if (curve) {
@@ -116,6 +122,10 @@ pmr.draw_scatter_series = function (svg, s, x, y) {
   }
   (s.points || []).forEach(function (p) {
     if (p.x === null || p.y === null) return;
+    if (isFinite(p.low) && isFinite(p.high))
+      svg
+        .append("path")
+        .attr({ "class": "line", stroke: s.colour, d: pmr.error_bar(x(p.x), y(p.low), y(p.high)) });
     var mark = svg
       .append("a")
       .attr({ "xlink:href": p.link || null })
@@ -175,7 +185,7 @@ pmr.scatter_rows = function (spec) {
   ];
   spec.series.forEach(function (s) {
     (s.points || []).forEach(function (p) {
-      rows.push([s.label || "runs", p.label, p.x, p.y, null, null]);
+      rows.push([s.label || "runs", p.label, p.x, p.y, p.low, p.high]);
     });
     if (s.curve)
       s.curve.x.forEach(function (v, k) {
