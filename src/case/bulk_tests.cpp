@@ -40,6 +40,11 @@ std::optional<HeapInstrument> read_heap(Table& root) {
   heap.radius = table.value("radius", a_length);
   heap.sectors = static_cast<std::uint32_t>(table.count("sectors", 3, 24));
   heap.bin = table.value("bin", a_length);
+  if (table.has("along"))
+    heap.plane = {table.direction("along"), table.value("width", a_length)};
+  else
+    table.look("along");
+  if (heap.plane && heap.plane->along.z() != 0.0) table.fault("along", "wanted horizontal");
   return heap;
 }
 

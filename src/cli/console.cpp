@@ -165,7 +165,7 @@ struct Parser {
   void add_validate() {
     auto* verb = app.add_subcommand("validate", "experiments that others made, run and compared");
     verb->add_option("NAME", validate_options.experiments,
-                     "experiment files (TOML), or names of shipped ones [all shipped]");
+                     "experiment files (TOML), or names of shipped ones [all but the long ones]");
     verb->add_option("-o,--output", validate_options.folder, "folder [out/validation]");
     verb->add_option("--set", validate_options.sets,
                      "key=value: a constant of the experiments, or a key of every case; repeatable")

@@ -22,10 +22,10 @@ fs::path shipped_folder() {
   return (program.parent_path() / "../share/pmr/cases").lexically_normal();
 }
 
-// "settling", "lab/repose-AA": those of the folder and of its lab tests.
+// "settling", "lab/repose-AA", "long/demonstrator-bed": those of the folder and of folders in it.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::path& within : {fs::path(), fs::path("lab")}) {
+  for (const fs::path& within : {fs::path(), fs::path("lab"), fs::path("long")}) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder / within, error))
       if (entry.path().extension() == ".toml")
@@ -66,7 +66,8 @@ std::vector<fs::path> find_experiments(const std::vector<fs::path>& named) {
   std::vector<fs::path> found;
   for (const fs::path& one : named) found.push_back(find(one, folder, "experiment"));
   if (named.empty())
-    for (const std::string& name : names_in(folder)) found.push_back(folder / (name + ".toml"));
+    for (const std::string& name : names_in(folder))
+      if (name.find('/') == std::string::npos) found.push_back(folder / (name + ".toml"));
   return found;
 }
 

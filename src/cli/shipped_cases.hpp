@@ -10,7 +10,7 @@ namespace pmr::cli {
 std::filesystem::path find_case(const std::filesystem::path& named);
 std::filesystem::path find_study(const std::filesystem::path& named);
 std::filesystem::path find_lab(const std::filesystem::path& named);
-// All shipped experiments where none is named.
+// Where none is named, all shipped experiments but the long ones.
 std::vector<std::filesystem::path> find_experiments(
     const std::vector<std::filesystem::path>& named);
 

@@ -21,13 +21,22 @@ struct Top {
   double turn;            // [1] of a whole turn, in [0, 1)
 };
 
-std::vector<Top> tops_of(const Particles& p, const Vec3& centre) {
-  std::vector<Top> tops;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3 from = p.position[i] - centre;
+// Of a plane heap the way along it, and across it what a turn is round an axis.
+Top top_of(const Vec3& from, double radius, const HeapInstrument& tool) {
+  const double height = from.z() + radius;
+  if (!tool.plane) {
     const double turn = std::atan2(from.y(), from.x()) / (2.0 * pi);
-    tops.push_back({from.head<2>().norm(), from.z() + p.radius[i], turn - std::floor(turn)});
+    return {from.head<2>().norm(), height, turn - std::floor(turn)};
   }
+  const double across = Vec3::UnitZ().cross(tool.plane->along).dot(from) / tool.plane->width;
+  return {from.dot(tool.plane->along), height, std::clamp(0.5 + across, 0.0, 1.0)};
+}
+
+std::vector<Top> tops_of(const Particles& p, const HeapInstrument& tool) {
+  std::vector<Top> tops;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (const Top top = top_of(p.position[i] - tool.centre, p.radius[i], tool); top.radius >= 0.0)
+      tops.push_back(top);
   return tops;
 }
 
@@ -54,12 +63,15 @@ struct Ring {
   std::vector<Top> tops;  // one of each cell that holds a particle
 };
 
-std::vector<Ring> rings_of(const std::vector<Top>& tops, double bin) {
+std::vector<Ring> rings_of(const std::vector<Top>& tops, const HeapInstrument& tool) {
+  const double bin = tool.bin;
   std::vector<Ring> rings;
   for (const Top& top : tops) {
     const auto k = static_cast<std::size_t>(top.radius / bin);
     while (rings.size() <= k) {
-      const double round = 2.0 * pi * (static_cast<double>(rings.size()) + 0.5);  // [bins]
+      const double round = tool.plane
+                               ? tool.plane->width / bin
+                               : 2.0 * pi * (static_cast<double>(rings.size()) + 0.5);  // [bins]
       rings.emplace_back().cells.resize(
           static_cast<std::size_t>(std::max(1L, std::lround(round / cell_arc))));
     }
@@ -171,7 +183,7 @@ std::optional<Heap> measure_heap(const Particles& particles, const HeapInstrumen
   std::vector<HeapRing> profile;
   std::vector<Top> tops;
   double height = 0.0;
-  for (const Ring& ring : rings_of(tops_of(particles, tool.centre), tool.bin)) {
+  for (const Ring& ring : rings_of(tops_of(particles, tool), tool)) {
     if (static_cast<double>(ring.tops.size()) < filled * static_cast<double>(ring.cells.size()))
       break;
     profile.push_back(mean_ring(ring));
@@ -192,6 +204,7 @@ std::optional<Heap> measure_heap(const Particles& particles, const HeapInstrumen
               sectors.deviation,
               height,
               -line.level / line.slope,
+              static_cast<double>(profile.size()) * tool.bin,
               profile.back().radius > tool.radius - tool.bin,
               profile};
 }

@@ -1,4 +1,5 @@
-// Angle of repose of a heap of spheres round a vertical axis.
+// Angle of repose of a heap of spheres round a vertical axis, or of a plane one between two walls
+// (rings are then strips across it).
 //
 // Rings of one bin (a diameter) are cut into cells of two bins along the ring. Of each cell the
 // highest top (z + R over the base) counts, or the second where the first lies more than a bin
@@ -29,6 +30,7 @@ struct Heap {
   double sector_deviation;  // [rad] standard, of the sectors' own angles
   double height;            // [m] largest of the profile
   double foot;              // [m] where the line meets the base
+  double reach;             // [m] from the axis, of what lies together: at least half of a ring
   bool is_edged;            // the heap reaches the rim of its base: no free heap
   std::vector<HeapRing> rings;
 };

@@ -35,6 +35,7 @@ Json heap_of(const SummaryInput& in) {
           {"sector_deviation", number(heap->sector_deviation * degrees)},
           {"height", heap->height},
           {"foot", heap->foot},
+          {"reach", heap->reach},
           {"is_edged", heap->is_edged}};
 }
 

@@ -202,13 +202,15 @@ const char* word_of(Verdict verdict) {
 
 std::string bar_text(const Quantity& quantity) {
   const Bar& bar = quantity.bar;
-  const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
+  const std::string unit = quantity.unit.empty()     ? ""
+                           : quantity.unit == "degC" ? " K"
+                                                     : " " + quantity.unit;
   std::string text;
   if (bar.kind == Bar::Kind::largest) text = fmt::format("largest {}{}", bar.most, unit);
   if (bar.kind == Bar::Kind::rms) text = fmt::format("rms {}{}", bar.most, unit);
   if (bar.kind == Bar::Kind::relative) text = fmt::format("largest {} %", 100.0 * bar.most);
-  if (std::isfinite(bar.from)) text += fmt::format(", from {}", bar.from);
-  if (std::isfinite(bar.to)) text += fmt::format(", to {}", bar.to);
+  if (std::isfinite(bar.from)) text += fmt::format(" from {}", bar.from);
+  if (std::isfinite(bar.to)) text += fmt::format(" to {}", bar.to);
   return text;
 }
 

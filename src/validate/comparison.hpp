@@ -61,7 +61,7 @@ Findings compare(std::span<const Experiment> experiments, const ValidationPlan& 
                  const study::Folder& folder);
 
 const char* word_of(Verdict verdict);
-// "largest 10 K, 0.09 to 0.34"; "" without one.
+// "largest 10 K from 90 to 340"; "" without one.
 std::string bar_text(const Quantity& quantity);
 
 // validation.csv: a line for each point of each comparison.

@@ -28,6 +28,11 @@ std::string rows_table(const std::vector<std::string>& head,
   return element("div", report::table(head, rows, "class=\"numbers compare\""), "class=\"scroll\"");
 }
 
+// Of differences: kelvins of a temperature in degC.
+std::string unit_of_miss(const Quantity& q) {
+  return q.unit == "degC" ? "K" : study::unit_shown(q.unit);
+}
+
 // "1.5 to 3 K": what the points are known to.
 std::string deviation_text(const Comparison& c, const std::string& unit) {
   double low = c.points.front().deviation, high = low;
@@ -37,11 +42,11 @@ std::string deviation_text(const Comparison& c, const std::string& unit) {
   }
   const std::string span =
       figure(low, 2) + (figure(low, 2) == figure(high, 2) ? "" : " to " + figure(high, 2));
-  return unit.empty() ? span : span + " " + escape(study::unit_shown(unit));
+  return unit.empty() ? span : span + " " + escape(unit);
 }
 
-std::string link_to(const Experiment& e) {
-  return element("a", escape(e.title), "href=\"#" + e.name + "\"");
+std::string link_to(const Experiment& e, const std::string& quantity) {
+  return element("a", escape(e.title), "href=\"#" + e.name + "\"") + ": " + escape(quantity);
 }
 
 std::string verdict_cell(Verdict verdict) {
@@ -50,35 +55,43 @@ std::string verdict_cell(Verdict verdict) {
 
 std::vector<std::string> row_of(const Experiment& e, const Comparison& c) {
   const Quantity& q = e.quantities[c.quantity];
-  const std::string unit = escape(study::unit_shown(q.unit));
+  const std::string unit = escape(unit_of_miss(q));
   const auto with_unit = [&](double value) {
     return figure(value, 2) + (unit.empty() ? "" : " " + unit);
   };
-  const bool is_run = c.verdict != Verdict::not_run;
-  return {link_to(e),
-          escape(q.label),
-          std::to_string(is_run ? c.judged : c.points.size()),
-          deviation_text(c, q.unit),
-          is_run ? with_unit(c.mean) : "–",
-          is_run ? with_unit(c.rms) : "–",
-          is_run ? with_unit(c.largest) : "–",
-          is_run ? figure(c.rms_in_deviations, 2) : "–",
-          escape(bar_text(q)),
-          verdict_cell(c.verdict)};
+  if (c.verdict == Verdict::not_run)
+    return {link_to(e, q.label),
+            word_of(c.verdict),
+            std::to_string(c.points.size()),
+            deviation_text(c, unit_of_miss(q)),
+            "",
+            "",
+            "",
+            "",
+            escape(bar_text(q))};
+  return {link_to(e, q.label),
+          verdict_cell(c.verdict),
+          std::to_string(c.judged),
+          deviation_text(c, unit_of_miss(q)),
+          q.has_free_zero ? "free" : with_unit(c.mean),
+          with_unit(c.rms),
+          with_unit(c.largest),
+          figure(c.rms_in_deviations, 2),
+          escape(bar_text(q))};
 }
 
 std::vector<std::string> row_of(const Experiment& e, const SlopeFound& found) {
   const Slope& s = e.slopes[found.slope];
-  return {link_to(e),
-          escape(s.label),
+  const double miss = found.value - s.measured;
+  return {link_to(e, s.label),
+          verdict_cell(found.verdict),
           "1",
           figure(s.deviation, 2),
-          figure(found.value - s.measured, 2),
+          figure(miss, 2),
           "",
           "",
-          figure((found.value - s.measured) / std::hypot(s.deviation, found.error), 2),
-          fmt::format("{} ± {}", s.measured, s.bar),
-          verdict_cell(found.verdict)};
+          figure(std::abs(miss) / std::hypot(s.deviation, found.error), 2),
+          fmt::format("{} ± {}", s.measured, s.bar)};
 }
 
 report::Section answer(std::span<const Experiment> experiments, const Findings& f) {
@@ -104,8 +117,8 @@ report::Section answer(std::span<const Experiment> experiments, const Findings& 
       "p", fmt::format("{} of {} bars are held. A miss stands with its cause below; no parameter "
                        "was fitted to pass.",
                        held, judged));
-  html += rows_table({"experiment", "quantity", "points", "measured to", "mean miss", "rms",
-                      "largest", "rms / deviation", "bar", "verdict"},
+  html += rows_table({"experiment", "verdict", "points", "measured to", "mean miss", "rms",
+                      "largest", "in deviations", "bar"},
                      rows);
   html += element("p",
                   "A miss is computed less measured. Deviation: of the measurement and of the "
@@ -182,6 +195,7 @@ Value computed_series(const std::string& label, const std::string& colour, const
   return one;
 }
 
+constexpr const char* ink = "#1d2430";
 constexpr std::array<const char*, 4> dashes{nullptr, "6 4", "2 3", "8 3 2 3"};
 
 std::string chart_of(const Experiment& e, const Findings& f, std::size_t k, std::size_t q,
@@ -192,11 +206,11 @@ std::string chart_of(const Experiment& e, const Findings& f, std::size_t k, std:
     if (c.experiment != k || c.quantity != q) continue;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const auto points = points_in(e, c, groups[g]);
-      const std::string colour = report::hex(report::species_colour(g));
+      const std::string line = report::hex(report::species_colour(e.group ? g : c.variant));
       const std::string name = e.group ? group_name(e, groups[g]) : "measured";
       const bool is_named = g == 0 && (e.variants.size() > 1 || !e.group);
-      if (c.variant == 0) series.push_back(measured_series(name, colour, points));
-      series.push_back(computed_series(is_named ? e.variants[c.variant].label : "", colour,
+      if (c.variant == 0) series.push_back(measured_series(name, e.group ? line : ink, points));
+      series.push_back(computed_series(is_named ? e.variants[c.variant].label : "", line,
                                        dashes[c.variant % dashes.size()], points));
     }
   }
@@ -248,7 +262,7 @@ std::string words_on(const Experiment& e, const Findings& f, std::size_t k, std:
   std::string html;
   for (const Comparison& c : f.comparisons) {
     if (c.experiment != k || c.quantity != q || c.verdict == Verdict::not_run) continue;
-    const std::string unit = quantity.unit.empty() ? "" : " " + study::unit_shown(quantity.unit);
+    const std::string unit = quantity.unit.empty() ? "" : " " + unit_of_miss(quantity);
     const std::string zero =
         quantity.has_free_zero
             ? fmt::format(" The measured zero stands at {}{}.", figure(c.zero), unit)

@@ -114,6 +114,7 @@ bed_gas = true
 [conductivity]
 [catch.NAME]
 [heap]
+along = [1, 0, 0]
 [wall_force.NAME]
 [output]
 )";

@@ -88,3 +88,22 @@ TEST_CASE("A heap that reaches the rim of its plate says so, and a flat layer is
   CHECK_FALSE(measure_heap(Particles{}, tool));
   CHECK_FALSE(measure_heap(test::cubic_bed(12, 1, 3e-3), tool));
 }
+
+// A wedge of known slope between walls at y = +-15 mm, from x = 0 on, with a tongue of one layer.
+TEST_CASE("A plane heap has the angle and the reach of its wedge") {
+  const double d = 2e-3, slope = std::tan(25.0 * degree), foot = 80e-3, tongue = 100e-3;
+  Particles heap;
+  Random random(5, Purpose::test, 2);
+  for (double x = 0.5 * d; x < tongue; x += 0.5 * d)
+    for (double y = -15e-3 + 0.5 * d; y < 15e-3; y += 0.5 * d) {
+      const double top = std::max(d, (foot - x) * slope);
+      test::add_sphere(heap, 0, Vec3(x, y, top - 0.5 * d + 1e-5 * random.uniform()), 0.5 * d, 1.0);
+    }
+  test::add_sphere(heap, 0, Vec3(0.15, 0.0, 0.5 * d), 0.5 * d, 1.0);  // a stray far out
+  const PlaneHeap plane{Vec3::UnitX(), 30e-3};
+  const auto found = measure_heap(heap, {Vec3::Zero(), 0.3, 4, d, plane});
+  REQUIRE(found);
+  CHECK(found->angle / degree == Approx(25.0).margin(0.5));
+  CHECK(found->reach == Approx(tongue).margin(d));
+  CHECK_FALSE(found->is_edged);
+}

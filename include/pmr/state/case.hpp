@@ -224,11 +224,17 @@ struct CatchInstrument {
   bool ends_motion;                 // ... and the phase that moves is over then
 };
 // Angle of repose of what lies round a vertical axis when the run ends.
+// A plane heap, between two walls a stated way apart: it slopes along a direction from its centre.
+struct PlaneHeap {
+  Vec3 along;    // [1] horizontal, of unit length
+  double width;  // [m] across
+};
 struct HeapInstrument {
   Vec3 centre;            // [m] of its base, on the axis +z
   double radius;          // [m] of the base: a heap that reaches it has an edge, and is no free one
   std::uint32_t sectors;  // [1]
   double bin;             // [m] of the radius
+  std::optional<PlaneHeap> plane = {};  // none: round the axis
 };
 // Force and torque of the particles on a wall over time.
 struct WallForce {
