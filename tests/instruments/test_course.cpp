@@ -23,6 +23,7 @@ std::vector<std::string> lines(const fs::path& path) {
 // Beads are species 1 here: the redox material tells.
 Case two_species() {
   Case setup{};
+  setup.gravity = Vec3(0.0, 0.0, -9.80665);
   setup.materials.list.resize(2);
   setup.materials.list[0].redox = Redox{};
   setup.species.resize(2);
