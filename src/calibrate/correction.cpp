@@ -37,7 +37,9 @@ std::vector<double> values_of(const Lab& lab, TargetIndex at,
   return values;
 }
 
-// Adds to a level what it is off by; false where that is nothing.
+// Adds to a level what it is off by; false where that is nothing. What would take a correction back
+// is taken by half, the other half being its error: a surrogate is not off by the same everywhere,
+// and with all of it the point found can swing between two places for ever.
 bool correct_level(const StageResult& result, const std::vector<double>& values, Level& level) {
   if (values.empty() || !level.fit.refusal.empty()) return false;
   const auto there = level.fit.surrogate.predict(result.best().at);
@@ -47,7 +49,8 @@ bool correct_level(const StageResult& result, const std::vector<double>& values,
   if (std::abs(off) <=
       std::max(matters * level.measured.deviation, sure * std::hypot(there.deviation, noise)))
     return false;
-  level.add(level.guesses, off, noise);
+  const double left = off * level.guesses.value < 0.0 ? 0.5 * off : 0.0;
+  level.add(level.guesses, off - left, std::hypot(noise, left));
   return true;
 }
 

@@ -329,6 +329,29 @@ TEST_CASE("Stages that mind each other's parameters settle where all tests are m
   CHECK_THAT(guessed.warnings.back(), Contains("set their guesses to what was found"));
 }
 
+TEST_CASE(
+    "A correction that holds at one place alone is taken back by half, and widens the result") {
+  // x, but with z found instead of guessed 0.1 more beyond x = 0.35: the level 0.4 is crossed
+  // there, and corrections by the whole difference swing between 0.4 and 0.3.
+  const std::string lab =
+      "predictions = 2\n[sampling]\npoints = 9\nmost = 9\nreplicated = 0\n" + test_table("t") +
+      response("t", "there", 0.4, 0.002) + test_table("u") + response("u", "third", 0.7, 0.02) +
+      "[stages.one]\nuse = [\"t.there\"]\n" + unknown("one", "x", wall + "friction") +
+      "[stages.two]\nuse = [\"u.third\"]\n" +
+      unknown("two", "z", wall + "restitution", "guess = 0.5\n");
+  Bench bench(lab, [](const Case& c) {
+    const PairContact p = on_wall(c, "SrFeO3");
+    const bool is_beyond = p.restitution > 0.6 && p.friction > 0.351;
+    return Said{{{"there", p.friction + (is_beyond ? 0.1 : 0.0)}, {"third", p.restitution}}, ""};
+  });
+  const auto c = bench.solved();
+  const double x = c.found.values.at(0), deviation = std::sqrt(c.found.covariance[0][0]);
+  CHECK(x > 0.32);
+  CHECK(x < 0.38);
+  CHECK(deviation > 0.02);
+  CHECK(std::abs(x - 0.351) < 2.0 * deviation);
+}
+
 TEST_CASE("A noise that no surrogate can foretell is refused, and nothing follows it") {
   Bench bench(plain + levels(0.5, 0.04, 0.001, 0.001) +
                   "[stages.s]\nuse = [\"t.sum\", \"t.product\"]\n" + two_unknowns("s") +
