@@ -34,15 +34,20 @@ void print_verdicts(const std::vector<Experiment>& experiments, const validate::
     const Experiment& e = experiments[c.experiment];
     const validate::Quantity& q = e.quantities[c.quantity];
     if (c.variant > 0) continue;
+    if (c.verdict == validate::Verdict::not_run) {
+      say(fmt::format("not run  {:24} {}\n", e.name, q.label));
+      continue;
+    }
     say(fmt::format(
         "{:7}  {:24} {}: mean {:.3g}, rms {:.3g}, largest {:.3g} {}{}\n",
-        validate::word_of(c.verdict), e.name, q.label, c.mean, c.rms, c.largest, q.unit,
+        validate::word_of(c.verdict), e.name, q.label, c.mean, c.rms, c.largest,
+        validate::unit_of_miss(q),
         q.bar.kind == validate::Bar::Kind::none ? "" : " (wanted: " + validate::bar_text(q) + ")"));
   }
   for (const validate::SlopeFound& s : found.slopes) {
     const Experiment& e = experiments[s.experiment];
     const validate::Slope& slope = e.slopes[s.slope];
-    if (s.variant > 0) continue;
+    if (s.variant > 0 || s.verdict == validate::Verdict::not_run) continue;
     say(fmt::format("{:7}  {:24} {}: {:.3g} +- {:.2g} (wanted: {} +- {})\n",
                     validate::word_of(s.verdict), e.name, slope.label, s.value, s.error,
                     slope.measured, slope.bar));

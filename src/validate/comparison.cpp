@@ -43,7 +43,7 @@ ComparedPoint point_of(const Experiment& e, const Quantity& q, std::size_t row,
                       nan,
                       0.0,
                       false};
-  point.is_judged = point.x >= q.bar.from && point.x <= q.bar.to;
+  point.is_judged = q.bar.judges(point.x);
   if (!is_whole(seeds)) return point;
   std::vector<double> values;
   for (const Reading& reading : seeds) values.push_back(value_of(e, q.computed, row, &reading));
@@ -200,11 +200,13 @@ const char* word_of(Verdict verdict) {
   return "not run";
 }
 
+std::string unit_of_miss(const Quantity& quantity) {
+  return quantity.unit == "degC" ? "K" : quantity.unit;
+}
+
 std::string bar_text(const Quantity& quantity) {
   const Bar& bar = quantity.bar;
-  const std::string unit = quantity.unit.empty()     ? ""
-                           : quantity.unit == "degC" ? " K"
-                                                     : " " + quantity.unit;
+  const std::string unit = quantity.unit.empty() ? "" : " " + unit_of_miss(quantity);
   std::string text;
   if (bar.kind == Bar::Kind::largest) text = fmt::format("largest {}{}", bar.most, unit);
   if (bar.kind == Bar::Kind::rms) text = fmt::format("rms {}{}", bar.most, unit);

@@ -61,6 +61,8 @@ Findings compare(std::span<const Experiment> experiments, const ValidationPlan& 
                  const study::Folder& folder);
 
 const char* word_of(Verdict verdict);
+// Of differences: kelvins of a temperature in degC.
+std::string unit_of_miss(const Quantity& quantity);
 // "largest 10 K from 90 to 340"; "" without one.
 std::string bar_text(const Quantity& quantity);
 

@@ -171,6 +171,30 @@ void check_names(Table& root, const Experiment& e) {
   for (const Figure& f : e.figures) add("figures", f.name);
 }
 
+// A bar that judges no point would be held whatever comes out; a miss is told in deviations.
+void check_points(Table& root, const Experiment& e) {
+  for (const Quantity& q : e.quantities) {
+    std::size_t judged = 0;
+    for (std::size_t row = 0; row < e.points.rows; ++row) {
+      const study::Values known = known_at(e, row);
+      const auto fault = [&](const std::string& problem) {
+        root.fault("quantities", fmt::format("{}, point {}: {}", q.name, row + 1, problem));
+      };
+      try {
+        judged += q.bar.judges(study::evaluated(e.axis.value, known)) ? 1 : 0;
+        study::evaluated(q.measured, known);
+        if (!(study::evaluated(q.deviation, known) > 0.0)) fault("wanted a deviation above 0");
+      } catch (const std::invalid_argument& error) {
+        fault(error.what());
+      }
+    }
+    if (judged == 0)
+      root.fault("quantities", q.name + ": no point lies between 'from' and 'to' of its bar");
+  }
+  if (!e.slopes.empty() && e.points.rows < 2)
+    root.fault("slopes", "wanted at least two points for a straight line");
+}
+
 Experiment read_root(casefile::Reading& reading, const Node& document) {
   Table root(reading, document, "");
   Experiment e;
@@ -201,6 +225,7 @@ Experiment read_root(casefile::Reading& reading, const Node& document) {
   });
   check_names(root, e);
   if (reading.faults() == 0) check_expressions(root, e);
+  if (reading.faults() == 0) check_points(root, e);
   return e;
 }
 

@@ -43,6 +43,8 @@ struct Bar {
   double most = std::numeric_limits<double>::quiet_NaN();
   double from = -std::numeric_limits<double>::infinity();  // of the axis: points beyond are shown
   double to = std::numeric_limits<double>::infinity();     // but not judged
+
+  bool judges(double x) const { return x >= from && x <= to; }
 };
 
 // What is compared: expressions of columns, constants and figures.

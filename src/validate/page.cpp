@@ -28,11 +28,6 @@ std::string rows_table(const std::vector<std::string>& head,
   return element("div", report::table(head, rows, "class=\"numbers compare\""), "class=\"scroll\"");
 }
 
-// Of differences: kelvins of a temperature in degC.
-std::string unit_of_miss(const Quantity& q) {
-  return q.unit == "degC" ? "K" : study::unit_shown(q.unit);
-}
-
 // "1.5 to 3 K": what the points are known to.
 std::string deviation_text(const Comparison& c, const std::string& unit) {
   double low = c.points.front().deviation, high = low;

@@ -50,3 +50,15 @@ TEST_CASE("A plane wants eight particles: of fewer their mean is read") {
   const Thermocouple probe{"few", Vec3::Zero(), 0.01, true};
   CHECK(read_thermocouple(probe, bed).temperature == Approx(310.0).epsilon(1e-12));
 }
+
+TEST_CASE("A plane through one layer of particles reads what lies over and under it") {
+  Particles bed;  // T = 500 K + 1000 K/m x, all 2 mm above the tip
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -1; j <= 1; ++j)
+      test::add_sphere(bed, 0, Vec3(0.001 * i, 0.001 * j, 0.002), 0.0005, 1.0);
+  bed.temperature.resize(bed.size());
+  for (std::size_t i = 0; i < bed.size(); ++i)
+    bed.temperature[i] = 500.0 + 1000.0 * bed.position[i].x();
+  const Thermocouple probe{"under", Vec3(0.0005, 0.0, 0.0), 0.01, true};
+  CHECK(read_thermocouple(probe, bed).temperature == Approx(500.5).epsilon(1e-12));
+}

@@ -106,12 +106,24 @@ TEST_CASE("What is wrong with an experiment is told, all of it") {
              Contains("cannot stand in an expression"));
   CHECK_THAT(Files(good + rest + "bar = {rms = 1, largest = 2}\n", table).faults(),
              Contains("wanted one of: largest, rms, relative"));
+  CHECK_THAT(Files(good + rest + "bar = {rms = 1, from = 3}\n", table).faults(),
+             Contains("no point lies between"));
+  CHECK_THAT(Files(good + rest +
+                       "[slopes.n]\nx = \"time\"\ny = \"reading\"\nmeasured = 1\n"
+                       "deviation = 0.1\nbar = 0.2\n",
+                   "time [s],temperature [K]\n1,2\n")
+                 .faults(),
+             Contains("at least two points"));
   CHECK_THAT(Files(good + rest + "bra = {rms = 1}\n", table).faults(),
              Contains("did you mean 'bar'"));
   CHECK_THAT(Files(good + "group = \"tme\"\n" + rest, table).faults(),
              Contains("did you mean 'time'"));
   CHECK_THAT(Files(good + rest + "free_zero = 3\n", table).faults(), Contains("free_zero"));
   std::string text = rest;
+  text.replace(text.find("\"0.5\""), 5, "\"time - 0.2\"");
+  CHECK_THAT(Files(good + text, table).faults(),
+             Contains("point 1: wanted a deviation above 0") && Contains("point 2: wanted a"));
+  text = rest;
   text.replace(text.find("\"reading\""), 9, "\"raeding\"");
   CHECK_THAT(Files(good + text, table).faults(), Contains("raeding"));
   text = rest;

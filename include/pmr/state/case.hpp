@@ -246,15 +246,17 @@ struct OutputCase {
   double snapshot_interval;            // [s] while moving
   std::vector<double> snapshot_times;  // [s]
   double checkpoint_wall_time;         // [s] of wall time between checkpoints
-  Vec3 cut_point, cut_normal;          // [m], [1] pictures are cut open at this plane
+  Vec3 cut_point = Vec3::Zero();       // [m] pictures are cut open at this plane
+  Vec3 cut_normal = Vec3::UnitY();     // [1]
 };
 
 struct Case {
   std::string title;
   std::string description;
   std::uint64_t seed;
-  Vec3 gravity;                  // [m/s2]
-  Vec3 domain_low, domain_high;  // [m] a particle outside is lost, and booked as lost
+  Vec3 gravity = Vec3::Zero();     // [m/s2]
+  Vec3 domain_low = Vec3::Zero();  // [m] a particle outside is lost, and booked as lost
+  Vec3 domain_high = Vec3::Zero();
   Materials materials;
   std::vector<Species> species;
   std::vector<ExplicitParticle> particles;
