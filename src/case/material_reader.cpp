@@ -210,8 +210,11 @@ RedoxEquilibrium read_equilibrium(Table& redox) {
   });
   if (!is_named)
     table.ignore_rest();
-  else if (redox.reading().faults() == before && !chemistry::is_stable(e, chemistry::enthalpy_zero))
-    table.fault("enthalpy", "its pressure does not fall all the way as delta rises at 25 degC");
+  else if (redox.reading().faults() == before &&
+           !chemistry::is_stable(e, e.fit_temperature_minimum))
+    table.fault("enthalpy",
+                "its pressure does not fall all the way as delta rises at the lowest temperature "
+                "of its fit");
   return e;
 }
 

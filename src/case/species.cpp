@@ -63,6 +63,13 @@ void check_delta(Table& table, const Material& material, const Species& species,
   const bool is_read = a_state_temperature.range.holds(frozen.temperature) &&
                        frozen.oxygen_pressure > 0.0 && T > 0.0;
   if (!reacts || !is_read) return;
+  if (!chemistry::is_stable(equilibrium, frozen.temperature)) {
+    table.fault("delta",
+                fmt::format("the law has no unique equilibrium at {} K: wanted a number, or "
+                            "a higher temperature",
+                            frozen.temperature));
+    return;
+  }
   const auto delta_at = [&](double temperature) {
     return chemistry::equilibrium_delta(equilibrium, temperature, frozen.oxygen_pressure);
   };

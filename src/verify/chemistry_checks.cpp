@@ -414,6 +414,13 @@ std::vector<Check> chemistry_checks() {
       {"medium", 700.0, 400.0, 400.0, 589.1, 569.6, 0.3242, 0.2602, 37.1},
       {"cold", 400.0, 200.0, 350.0, 325.4, 315.5, 0.2181, 0.1367, 17.6}};
   for (const MixingTarget& target : targets) add_adiabatic(checks, alumina, ferrite, target);
+  Material smooth = ferrite;
+  smooth.redox->equilibrium = smooth_equilibrium();
+  const MixingTarget smooth_targets[] = {
+      {"smooth.hot", 1100.0, 700.0, 700.0, 956.1, 923.2, 0.4530, 0.3725, 64.6},
+      {"smooth.medium", 700.0, 400.0, 400.0, 589.0, 562.0, 0.3045, 0.3176, 51.2},
+      {"smooth.cold", 400.0, 200.0, 350.0, 325.4, 322.0, 0.1813, 0.0426, 6.0}};
+  for (const MixingTarget& target : smooth_targets) add_adiabatic(checks, alumina, smooth, target);
   return checks;
 }
 

@@ -145,7 +145,9 @@ TEST_CASE(
       "[chamber]\npressure = \"1 bar\"\noxygen_fraction = 0.2\ngas_temperature = \"20 degC\"\n"
       "film_coefficient = \"0 W/m2/K\"\nleak = \"0 mol/s/Pa\"\n[models]\nreaction = true\n";
   const auto told = [&](const std::string& delta) {
-    return faults_of(small_case + granules, {"species.granule.delta=" + delta});
+    return faults_of(small_case + granules,
+                     {"species.granule.delta=" + delta,
+                      "materials.SrFeO3.redox.equilibrium.enthalpy=\"arctan\""});
   };
   const auto frozen = [&](const std::string& temperature) {
     return told("{equilibrium_at=\"" + temperature + "\",oxygen=\"0.21 bar\"}");
@@ -167,6 +169,36 @@ TEST_CASE(
       "materials.SrFeO3.redox.rate={law=\"relaxation\",time=\"40 s\",reference_temperature=\"673 "
       "K\",reduction_energy=\"144 kJ/mol\",oxidation_energy=\"92 kJ/mol\",shortest=\"1 s\"}";
   CHECK(faults_of(small_case + granules, {"species.granule.delta=1e-12", relaxation}).empty());
+}
+
+TEST_CASE(
+    "a law without a unique equilibrium is refused in its fit's range and where one is asked for") {
+  const std::string granules =
+      "[species.granule]\nmaterial = \"SrFeO3\"\ndiameter = \"1.5 mm\"\ncount = 3\ntemperature = "
+      "\"700 degC\"\nregion = {base = \"50 0 0 mm\", radius = \"9 mm\", height = \"9 mm\"}\n"
+      "[chamber]\npressure = \"1 bar\"\noxygen_fraction = 0.2\ngas_temperature = \"20 degC\"\n"
+      "film_coefficient = \"0 W/m2/K\"\nleak = \"0 mol/s/Pa\"\n[models]\nreaction = true\n";
+  // dh falls by c delta: unique where c < 16 a R T, below 600 K here not.
+  const auto told = [&](const std::string& delta, const std::string& fit_minimum) {
+    const std::string law =
+        "materials.SrFeO3.redox.equilibrium.polynomial={entropy=\"115 J/mol/K\",configuration=1,"
+        "enthalpy_0=\"100 kJ/mol\",enthalpy_1=\"-79.819 kJ/mol\",enthalpy_2=\"0 "
+        "J/mol\",fit_delta_minimum=0.1,"
+        "fit_delta_maximum=0.45,fit_temperature_minimum=\"" +
+        fit_minimum +
+        "\",fit_temperature_maximum=\"1500 K\",fit_pressure_minimum=\"1 mbar\","
+        "fit_pressure_maximum=\"1 bar\"}";
+    return faults_of(small_case + granules, {law, "species.granule.delta=" + delta});
+  };
+  CHECK(told("0.3", "610 K").empty());
+  REQUIRE(told("0.3", "590 K").size() == 1);
+  CHECK_THAT(told("0.3", "590 K")[0], Contains("redox.equilibrium.enthalpy") &&
+                                          Contains("at the lowest temperature of its fit"));
+  CHECK(told("{equilibrium_at=\"610 K\",oxygen=\"0.21 bar\"}", "610 K").empty());
+  const auto cold = told("{equilibrium_at=\"590 K\",oxygen=\"0.21 bar\"}", "610 K");
+  REQUIRE(cold.size() == 1);
+  CHECK_THAT(cold[0],
+             Contains("species.granule.delta: the law has no unique equilibrium at 590 K"));
 }
 
 TEST_CASE("an emissivity that would be read as another is refused") {
