@@ -10,6 +10,7 @@
 #include "pmr/base/errors.hpp"
 #include "pmr/base/hash.hpp"
 #include "pmr/base/parallel.hpp"
+#include "sim/bed.hpp"
 #include "sim/forecast.hpp"
 #include "sim/schedule.hpp"
 #include "statistics/design.hpp"
@@ -140,8 +141,9 @@ std::vector<Fault> Planner::add(Plan& plan, PlannedRun run, const std::filesyste
                                 const std::vector<std::string>& settings) {
   std::vector<Fault> faults;
   try {
-    const Case c = casefile::load_case(case_file, settings);
+    Case c = casefile::load_case(case_file, settings);
     run.case_text = c.text;
+    if (!c.bed.empty()) sim::count_bed(sim::read_bed(c).particles, c);
     if (!costs_) {
       const ThreadLimit one_core(1);
       costs_ = sim::measure_costs(c);

@@ -46,6 +46,22 @@ TEST_CASE("Runs share a mixing if and only if their particles move alike") {
   CHECK(mixings("key = \"chamber.closing\"\nunit = \"s\"\nvalues = [0.5, 1]") == 2);
 }
 
+TEST_CASE("A run from a bed at hand is forecast with the bed's particles") {
+  const std::string one = "[variables.x]\nkey = \"chamber.closing\"\nunit = \"s\"\nvalues = [1]\n";
+  const auto bed = std::filesystem::temp_directory_path() /
+                   ("pmr-study-bed-" + std::to_string(::getpid()) + ".dump");
+  std::ofstream(bed) << "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n"
+                        "0 1\n0 1\n0 1\nITEM: ATOMS id type radius x y z vx vy vz\n"
+                        "1 1 0.0015 0 0 0.0015 0 0 0\n2 2 0.0008 0.003 0 0.0009 0 0 0\n";
+  const auto plan =
+      study::make_plan(read(response + one + "[settings]\nbed = \"" + bed.string() + "\"\n"));
+  std::filesystem::remove(bed);
+  REQUIRE(plan.runs.size() == 1);
+  INFO(plan.runs[0].fault);
+  CHECK(plan.mixings.empty());
+  CHECK(plan.runs[0].seconds > 0.0);
+}
+
 TEST_CASE("Settings follow the variables and the constants through their expressions") {
   const auto study = read(response +
                               "[settings]\n\"species.Al2O3.count\" = \"${round * 10 + "
