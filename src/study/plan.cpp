@@ -143,7 +143,11 @@ std::vector<Fault> Planner::add(Plan& plan, PlannedRun run, const std::filesyste
   try {
     Case c = casefile::load_case(case_file, settings);
     run.case_text = c.text;
-    if (!c.bed.empty()) sim::count_bed(sim::read_bed(c).particles, c);
+    if (!c.bed.empty()) {
+      if (bed_of_ != c.bed + c.mechanical_text) bed_ = sim::read_bed(c).particles;
+      bed_of_ = c.bed + c.mechanical_text;
+      sim::count_bed(bed_, c);
+    }
     if (!costs_) {
       const ThreadLimit one_core(1);
       costs_ = sim::measure_costs(c);

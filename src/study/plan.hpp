@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pmr/base/errors.hpp"
+#include "pmr/state/state.hpp"
 #include "sim/forecast.hpp"
 #include "study/study.hpp"
 
@@ -44,6 +45,8 @@ class Planner {
 
  private:
   std::optional<sim::UnitCosts> costs_;
+  std::string bed_of_;  // bed and mechanical text of the case that these particles were read for
+  Particles bed_;
 };
 
 // The points of the design as values of the variables.
