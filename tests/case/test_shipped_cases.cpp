@@ -124,5 +124,5 @@ TEST_CASE("the lab tests hold the spheres of their samples, under the study's pa
     throw std::runtime_error(wall);
   };
   CHECK(motion_of("back").amplitude == motion_of("floor").amplitude);
-  CHECK(motion_of("floor").amplitude.x() == Approx(7.1e-3));
+  CHECK(motion_of("floor").amplitude.x() == Approx(7.16e-3));
 }
