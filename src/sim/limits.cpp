@@ -98,7 +98,7 @@ void check_equilibrium_fit(const Species& species, const RedoxEquilibrium& fit, 
   if (is_worth_telling(outside, count))
     limits.push_back(fmt::format(
         "{} of the {} particles end outside the range that the equilibrium was fitted in "
-        "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC, {:.4g}-{:.4g} Pa of oxygen, of which there are "
+        "(delta {:.3f}-{:.3f}, {:.0f}-{:.0f} degC, {:g}-{:g} Pa of oxygen; it is "
         "{:.3g} Pa): extrapolated.",
         per_cent(outside, count), species.name, fit.fit_delta_minimum, fit.fit_delta_maximum,
         fit.fit_temperature_minimum - zero_celsius, fit.fit_temperature_maximum - zero_celsius,

@@ -49,6 +49,9 @@ std::string granule_in(const Chamber& chamber) {
 test::Ended run_with(const Chamber& chamber, const std::string& set, bool relaxes) {
   std::vector<std::string> sets{set};
   if (relaxes) sets.push_back(relaxation);
+  // Of the polynomial law no reaction can start at such a delta: its pressure is out of all range.
+  if (set == "species.granule.delta=1e-9")
+    sets.emplace_back("materials.SrFeO3.redox.equilibrium.enthalpy=\"arctan\"");
   return run_to_end(test::load(granule_in(chamber), sets), "border");
 }
 
@@ -83,8 +86,8 @@ TEST_CASE("Without any oxygen a run ends as with the last trace of it, by both r
 
 TEST_CASE("Other values at a border run to their end with books that close") {
   for (const char* set :
-       {"chamber.oxygen_fraction=1.0", "chamber.pressure=\"1e-3 Pa\"", "species.granule.delta=1e-5",
-        "species.granule.delta=0.499999999",
+       {"chamber.oxygen_fraction=1.0", "chamber.pressure=\"1e-3 Pa\"", "species.granule.delta=1e-9",
+        "species.granule.delta=1e-5", "species.granule.delta=0.499999999",
         "species.granule.delta={equilibrium_at=\"300 K\",oxygen=\"1 bar\"}",
         "species.granule.delta={equilibrium_at=\"2900 K\",oxygen=\"1e-30 Pa\"}",
         "materials.SrFeO3.emissivity=1.0", "materials.SrFeO3.emissivity=0.001",
