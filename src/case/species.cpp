@@ -63,6 +63,9 @@ void check_delta(Table& table, const Material& material, const Species& species,
   const bool is_read = a_state_temperature.range.holds(frozen.temperature) &&
                        frozen.oxygen_pressure > 0.0 && T > 0.0;
   if (!reacts || !is_read) return;
+  // A law that could not be read, or is not unique anywhere, is told where it stands.
+  const double least = equilibrium.fit_temperature_minimum;
+  if (!(least > 0.0) || !chemistry::is_stable(equilibrium, least)) return;
   if (!chemistry::is_stable(equilibrium, frozen.temperature)) {
     table.fault("delta",
                 fmt::format("the law has no unique equilibrium at {} K: wanted a number, or "

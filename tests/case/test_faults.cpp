@@ -195,6 +195,12 @@ TEST_CASE(
   CHECK_THAT(told("0.3", "590 K")[0], Contains("redox.equilibrium.enthalpy") &&
                                           Contains("at the lowest temperature of its fit"));
   CHECK(told("{equilibrium_at=\"610 K\",oxygen=\"0.21 bar\"}", "610 K").empty());
+  CHECK(told("{equilibrium_at=\"590 K\",oxygen=\"0.21 bar\"}", "590 K").size() == 1);
+  const std::string asked =
+      "species.granule.delta={equilibrium_at=\"700 degC\",oxygen=\"0.21 bar\"}";
+  CHECK(faults_of(small_case + granules,
+                  {asked, "materials.SrFeO3.redox.equilibrium.enthalpy=\"smooth\""})
+            .size() == 1);
   const auto cold = told("{equilibrium_at=\"590 K\",oxygen=\"0.21 bar\"}", "610 K");
   REQUIRE(cold.size() == 1);
   CHECK_THAT(cold[0],
